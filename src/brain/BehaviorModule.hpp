@@ -7,7 +7,7 @@
 
 namespace naocal {
 
-/// Where somebody wants the robot to look from its stand, while nothing is calibrated.
+/// Head orientation requested while no calibration runs.
 struct HeadLookRequest {
   bool active = false;
   double yaw = 0, pitch = 0; // [deg]
@@ -15,7 +15,7 @@ struct HeadLookRequest {
 };
 void to_json(nlohmann::json& out, const HeadLookRequest& look);
 
-/// What HULKs' panel sets to have the robot look around, under its names.
+/// Receives head look requests from HULKs' panel, under the panel's parameter names.
 class BehaviorModule final : public Module {
 public:
   BehaviorModule() : Module{"BehaviorModule"} {}
@@ -25,7 +25,7 @@ public:
 private:
   CommandParameter<bool> active_{*this, "isCameraCalibration"};
   Parameter<double> yaw_{*this, "calibrationHeadYaw"}, pitch_{*this, "calibrationHeadPitch"}; // [deg]
-  Parameter<bool> unused_{*this, "useEffectiveYawVelocity"}; // the panel sets it; nothing depends on it
+  Parameter<bool> unused_{*this, "useEffectiveYawVelocity"}; // set by the panel, not used
   Production<HeadLookRequest> look_{*this, "wantedLook"};
 };
 

@@ -6,7 +6,7 @@
 
 namespace naocal {
 
-/// The brain thread's modules; the cameras and what `context` refers to must outlive the thread.
+/// Adds the brain thread's modules. The cameras and everything `context` refers to must outlive the thread.
 void addBrainModules(Thread& brain, CameraInterface& cameras, const CalibrationContext& context);
 
 } // namespace naocal

@@ -11,43 +11,44 @@
 
 namespace naocal {
 
-/// Poses that a person asks a robot to take: a pose file's content. What is in it is checked when it is played.
+/// The content of a pose file to play; validated when it is played.
 struct RequestedPoses {
   std::string content;
-  std::vector<SupportFoot> feet; // that its poses stand on, left before right; none: it has no poses on one foot
+  std::vector<SupportFoot> feet; // support feet of its poses, left before right; empty: no pose stands on one foot
 };
 void from_json(const nlohmann::json& json, RequestedPoses& poses);
 
-/// The boards on the floor, as a capture set describes them.
+/// The boards on the floor, in the format of a capture set.
 struct CalibrationBoards {
   std::vector<Board> boards;
 };
-/// Throws InputError that says which entry is wrong and how.
+/// Throws InputError that names the wrong entry and the problem.
 void from_json(const nlohmann::json& json, CalibrationBoards& boards);
 
-/// What can be calibrated at once.
+/// A kind of calibration that can be started.
 struct CalibrationKind {
-  std::string run;               // the value of the parameter `run` that starts it
-  std::string title, sentence;   // for people
-  std::vector<SupportFoot> feet; // that the robot stands on, one after the other: both at once, or one foot
+  std::string run;               // value of the parameter `run` that starts it
+  std::string title, sentence;   // for display
+  std::vector<SupportFoot> feet; // support feet, one stance each: both feet at once, or one foot
 };
 void to_json(nlohmann::json& out, const CalibrationKind& kind);
 
-/// In the order to offer them.
+/// All kinds, in display order.
 const std::vector<CalibrationKind>& calibrationKinds();
 
-/// nullptr: there is none of that name.
+/// nullptr if no kind has this name.
 const CalibrationKind* findCalibrationKind(std::string_view run);
 
-/// What a calibration on the robot estimates beside offsets and mounts: models/V6.json (and so on) in the
-/// configuration's folder, a model file as the laptop's tools write it. Throws InputError.
+/// Reads the effects that a calibration on the robot estimates in addition to offsets and mounts: models/V6.json (or
+/// another robot model) in the configuration's folder, a model file as written by `naocal`. Throws InputError.
 ModelFile loadCalibrationModel(const std::filesystem::path& configuration, const Robot& drawing);
 
-/// A model without what captures know nothing of: the other leg's effects, those whose drivers were not recorded; none
-/// of its effects where the robot stood on both feet, for there the loads of the joints are not known.
+/// Reduces a model to the effects that the captures can determine: leaves out effects of the other leg and those whose
+/// drivers were not recorded. Leaves out all effects if the robot stood on both feet, because joint loads are then
+/// unknown.
 struct ReducedModel {
   ModelFile model;
-  std::vector<std::string> leftOut; // "with E@P", "without E@P" of what could have been told on one foot
+  std::vector<std::string> leftOut; // "with E@P", "without E@P"; empty on both feet
 };
 ReducedModel reduceModel(const Measurements& measurements, const ModelFile& model);
 

@@ -16,10 +16,11 @@
 namespace naocal {
 namespace {
 
-constexpr double leastGain = 0.5;          // what a calibration leaves of the error at most, to be kept
-constexpr double mostOffset = radians(20); // of any NAO: 11 degrees have been seen
+constexpr double leastGain = 0.5;          // largest remaining share of the error; above it the calibration is not kept
+constexpr double mostOffset = radians(20); // [rad]; beyond it captures are refused as inconsistent; 11 deg have been
+                                           // observed
 
-/// Throws InputError for offsets that no robot has: captures that do not belong together.
+/// Throws InputError for implausible offsets, which indicate inconsistent captures.
 void requirePlausible(const std::vector<EffectiveOffset>& offsets) {
   for (const EffectiveOffset& offset : offsets) {
     if (!(std::abs(offset.value) <= mostOffset)) {
@@ -30,7 +31,7 @@ void requirePlausible(const std::vector<EffectiveOffset>& offsets) {
   }
 }
 
-/// Each foot's poses, one foot after the other; each time that the robot steps onto one is a stance.
+/// Poses of each foot, one foot after the other; stances are numbered in this order.
 CalibrationRound legRound(const std::deque<LegRoundPlanner>& legs, RoundOptions options) {
   CalibrationRound round;
   int stance = 0;
@@ -61,7 +62,7 @@ void CalibrationJobs::begin(std::filesystem::path folder) {
 void CalibrationJobs::planLegs(LegRounds legs) {
   give([legs = std::move(legs), &drawing = context_.drawing, folder = folder_, files = context_.files](bool&) mutable {
     std::filesystem::path file = files / "poses" / (drawing.model + ".json");
-    if (!legs.asked.empty()) { // what was asked for stays with what was recorded
+    if (!legs.asked.empty()) { // a requested pose file is stored with the recording
       file = folder / "poses.json";
       writeAtomically(file, legs.asked);
     }
@@ -110,7 +111,7 @@ void CalibrationJobs::solve(bool onlyHead) {
     const CalibrationRecorder::Solution solved = session->session.value().solve();
     const std::vector<EffectiveOffset> offsets = onlyHead ? headOffsets(solved.offsets) : solved.offsets;
     PublishedOutcome outcome = summarizeOutcome(before_, offsets, processedSoFar_.captures);
-    for (const Warning& warning : solved.warnings) { // only with the legs it is known where the floor is
+    for (const Warning& warning : solved.warnings) { // floor height is known only if legs are calibrated
       if (warning.about == Warning::About::fit || (warning.about == Warning::About::floor && !onlyHead)) {
         outcome.warnings.push_back(warning.sentence);
       }
@@ -155,7 +156,7 @@ void CalibrationJobs::putBackUnsaved() {
   if (!keysToPutBack_) {
     return;
   }
-  const bool wasSaved = isCalibrationSaved(context_.configuration); // by somebody, unchecked
+  const bool wasSaved = isCalibrationSaved(context_.configuration); // by another client, before the check
   restoreCalibration(*std::exchange(keysToPutBack_, std::nullopt), context_.configuration);
   if (wasSaved) {
     saveCalibration(context_.configuration);

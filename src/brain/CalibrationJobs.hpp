@@ -24,32 +24,33 @@
 
 namespace naocal {
 
-/// What a calibration needs beside its parameters.
+/// Inputs of a calibration other than its parameters.
 struct CalibrationContext {
   const Robot& drawing;
   RobotIdentity identity;
-  Configuration& configuration;     // where results are applied and saved
-  std::filesystem::path files;      // the configuration's folder, copied into recordings; poses/V6.json, models/V6.json
-  std::filesystem::path recordings; // folder that gets one folder per calibration
+  Configuration& configuration;     // target of applied and saved results
+  std::filesystem::path files;      // configuration folder, copied into recordings; has poses/V6.json, models/V6.json
+  std::filesystem::path recordings; // parent folder; one new folder per calibration
 };
 
-/// What a calibration leaves to a thread of its own, so that no cycle waits for it: the ways between poses, finding
-/// boards and writing captures, solving, applying, comparing. Each call returns at once, and is done in the order of
-/// calls; what is found is taken later, and lost once another calibration has begun.
+/// Runs the slow jobs of a calibration on a worker thread, so that no cycle waits: planning ways between poses,
+/// detecting boards, writing captures, solving, applying, comparing. Calls return at once and run in the order of
+/// calls. Results are polled with `takeResult` and discarded once another calibration has begun.
 class CalibrationJobs {
 public:
-  using Rounds = std::array<CalibrationRound, 2>; // to calibrate, to check
+  using Rounds = std::array<CalibrationRound, 2>; // [0] to calibrate, [1] to check
 
   explicit CalibrationJobs(CalibrationContext context);
   ~CalibrationJobs() { finish(); }
   const CalibrationContext& context() const { return context_; }
 
-  /// A calibration whose files go into `folder`, the configuration first: what is in effect now is what was before.
+  /// Begins a calibration with output folder `folder`; copies the configuration into it and records the current
+  /// calibration as the baseline.
   void begin(std::filesystem::path folder);
   const std::filesystem::path& folder() const { return folder_; }
 
-  /// Poses on feet: of a pose file's content, or of the configuration's file where that is empty; `checkPoses` of them
-  /// on each foot to check.
+  /// Poses on one foot at a time: from `asked` (a pose file's content), or from the configuration's pose file if
+  /// `asked` is empty. The check round has `checkPoses` poses per foot.
   struct LegRounds {
     std::vector<SupportFoot> feet;
     RoundOptions options;
@@ -59,24 +60,24 @@ public:
   };
   void planLegs(LegRounds legs);
 
-  /// A round's captures come from now on; each is looked at.
+  /// Opens a round's recording; the following `processCapture` calls refer to it.
   void openRound(std::size_t round, CaptureSet header);
   void processCapture(std::size_t round, Capture capture, PublishedCapture shown, CameraFrame frame);
 
-  /// Solves the first round's captures and puts into effect what they say, of offsets only the neck's if so wished.
+  /// Solves the first round and applies the result; `onlyHead` restricts the offsets to the neck.
   void solve(bool onlyHead);
-  /// Compares it and what was before with the second round's captures; saves what helps, puts back what does not. Then
-  /// asks of the first round's captures how well the model fits them.
+  /// Compares the new and the previous calibration on the second round's captures; saves the new one if the error falls
+  /// by half, otherwise restores the previous one. Then diagnoses the model fit on the first round.
   void check();
-  /// Ends the calibration: nothing more is found but what was saved already, and what was put into effect and not saved
-  /// is put back.
+  /// Aborts the calibration: discards later results except saved ones, and restores a calibration that was applied but
+  /// not saved.
   void abandon();
-  /// Takes back what the last calibration saved.
+  /// Undoes the last saved calibration.
   void undo();
-  /// Waits until nothing is done any more; what was put into effect and not saved stays so.
+  /// Waits until all jobs are done; an applied, unsaved calibration stays in effect.
   void finish();
 
-  /// What came of a job.
+  /// Results of jobs.
   struct PlannedRounds {
     Rounds rounds;
   };
@@ -85,24 +86,24 @@ public:
   };
   struct CheckedCalibration {
     CalibrationRecorder::ErrorComparison error;
-    bool isKept; // what was applied is saved; else what was before is back
+    bool isKept; // true: saved; false: the previous calibration is restored
   };
   struct ModelDiagnosis {
-    std::string sentence; // or two: how well the model fits
+    std::string sentence; // model fit, one or two sentences
   };
-  struct CalibrationUndone {}; // what was saved before is taken back
+  struct CalibrationUndone {}; // the last saved calibration is undone
   struct JobFailure {
-    std::string reason; // the middle of a sentence
+    std::string reason; // clause, inserted into a sentence
   };
   using JobResult = std::variant<PlannedRounds, AppliedCalibration, CheckedCalibration, ModelDiagnosis,
                                  CalibrationUndone, JobFailure>;
-  /// The next of them, in the order of jobs.
+  /// The next result, in the order of jobs.
   std::optional<JobResult> takeResult();
-  /// All captures that were looked at so far, in their order; nullptr: none since the last call.
+  /// All captures processed so far, in order; nullptr if none were added since the last call.
   const std::vector<PublishedCapture>* takeProcessed();
 
 private:
-  /// A round's session, made and used by the worker alone.
+  /// A round's recording; created and used by the worker only.
   struct Round {
     std::optional<CalibrationRecorder> session;
   };
@@ -111,27 +112,27 @@ private:
     std::vector<PublishedCapture> captures;
   };
   struct QueuedResult {
-    std::filesystem::path folder; // of the calibration that it is about
+    std::filesystem::path folder; // identifies the calibration
     JobResult result;
   };
-  /// A job's result, if it has one; what it throws becomes a JobFailure. Of a calibration that was abandoned meanwhile
-  /// only what `isLasting` counts: what is saved, or should have been.
+  /// Returns a job's result, if any; an exception becomes a JobFailure. After `abandon`, only results with `isLasting`
+  /// are reported: saved calibrations and undos.
   using Job = std::function<std::optional<JobResult>(bool& isLasting)>;
-  void putBackUnsaved(); // the worker's
-  void give(Job job);    // has the worker do it
+  void putBackUnsaved(); // worker only
+  void give(Job job);    // enqueues it
 
   CalibrationContext context_;
   std::filesystem::path folder_;
-  std::atomic<std::uint64_t> abandoned_{0};        // so many calibrations
-  std::optional<std::string> keysToPutBack_;       // the worker's, while what is in effect is not saved
-  StoredResult before_;                            // the worker's
-  bool isChecked_ = false;                         // the worker's
-  std::array<std::shared_ptr<Round>, 2> sessions_; // belong to the worker
+  std::atomic<std::uint64_t> abandoned_{0};        // number of abandoned calibrations
+  std::optional<std::string> keysToPutBack_;       // worker only; set while an applied calibration is unsaved
+  StoredResult before_;                            // worker only
+  bool isChecked_ = false;                         // worker only
+  std::array<std::shared_ptr<Round>, 2> sessions_; // contents: worker only
   std::mutex resultsMutex_;
   std::deque<QueuedResult> results_;
   Latest<ProcessedCaptures> processed_;
-  ProcessedCaptures processedSoFar_;       // the worker's
-  Worker worker_{Worker::AtEnd::allTasks}; // last: it uses the others
+  ProcessedCaptures processedSoFar_;       // worker only
+  Worker worker_{Worker::AtEnd::allTasks}; // last: uses the members above
 };
 
 } // namespace naocal

@@ -29,7 +29,7 @@ CalibrationRecorder::CalibrationRecorder(const Robot& drawing, CaptureSet header
 std::vector<BoardCorners> CalibrationRecorder::record(Capture capture, const CameraFrame& frame) {
   const auto picture = toGreyImage(frame);
   if (!picture) {
-    return {}; // its bytes were lost: there is nothing to see
+    return {}; // incomplete image
   }
   capture.id = static_cast<int>(set_.captures.size());
   capture.image = fmt::format("images/{:04}.png", capture.id);

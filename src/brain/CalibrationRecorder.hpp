@@ -13,35 +13,35 @@
 
 namespace naocal {
 
-/// A calibration's captures as they come: each one's picture and the set are written at once, so that what was recorded
-/// is readable up to the last capture whatever happens.
+/// Records a calibration's captures: writes each image and the updated set at once, so that a recording is complete up
+/// to the last capture after any failure.
 class CalibrationRecorder {
 public:
-  /// `header`: robot, cameras, boards and stances of the set. Its folder must not hold a set yet. `model`: what is
-  /// estimated beside offsets and mounts.
+  /// `header`: robot, cameras, boards and stances of the set. `model`: effects estimated in addition to offsets
+  /// and mounts. Throws InputError if the folder already holds a set.
   CalibrationRecorder(const Robot& drawing, CaptureSet header, std::filesystem::path folder, ModelFile model);
 
-  /// Finds the boards in a picture, writes it with its capture, and says what was found. Throws InputError where it
-  /// cannot be written.
+  /// Detects boards in an image, writes the image and its capture, and returns the corners; empty for an incomplete
+  /// image. Throws InputError if it cannot write.
   std::vector<BoardCorners> record(Capture capture, const CameraFrame& frame);
 
   std::size_t captures() const { return set_.captures.size(); }
   std::size_t corners() const { return corners_; }
 
-  /// Joints' offsets and cameras' mounts, on one foot the model's effects too.
+  /// Joint offsets and camera mounts; on one foot also the model's effects.
   struct Solution {
-    StoredResult result; // as in its file
+    StoredResult result; // as read back from its file
     std::vector<EffectiveOffset> offsets;
     std::vector<Warning> warnings;
   };
-  /// Estimates them from the captures, and writes result.json and offsets.json beside them. Throws InputError when
-  /// there is nothing to fit, or the search does not converge.
+  /// Estimates them from the captures; writes result.json and offsets.json beside them. Throws InputError if there is
+  /// nothing to fit or the solver does not converge.
   Solution solve() const;
 
-  /// What 'naocal diagnose' says of the captures, in a sentence or two; diagnosis.json is written beside them.
+  /// The verdict of 'naocal diagnose' on the captures, in one or two sentences; writes diagnosis.json beside them.
   std::string diagnose() const;
 
-  /// How far this session's corners are from where each of two calibrations has them [px].
+  /// RMS distance between this session's corners and their prediction, for two calibrations [px].
   struct ErrorComparison {
     double before = 0, after = 0;
   };

@@ -15,7 +15,7 @@ namespace {
 
 using Phase = CalibrationState::Phase;
 
-constexpr double goodError = 1.5; // [px]; 2 cm on the floor, two metres away
+constexpr double goodError = 1.5; // [px]; about 2 cm on the floor at 2 m; up to it a robot counts as well calibrated
 
 std::string kindNames() {
   std::string names;
@@ -92,7 +92,7 @@ void CalibrationRunner::enter(Phase phase, const std::string& sentence) {
 
 void CalibrationRunner::fail(const std::string& sentence) {
   jobs_.abandon();
-  followed_.reset(); // no look that was set at the same time
+  followed_.reset(); // ignores a look request set at the same time
   ask(PoseRequest::Kind::home, "", {});
   enter(Phase::failed, sentence);
 }
@@ -104,7 +104,7 @@ void CalibrationRunner::ask(PoseRequest::Kind kind, const std::string& name, std
 
 void CalibrationRunner::cycle() {
   state_.edit();
-  if (++cycles_ % 30 == 0) { // what hardly changes: who comes to look later is told within a second
+  if (++cycles_ % 30 == 0) { // refreshes rarely changing values once a second for late subscribers
     kinds_.edit();
     shownPoses_.edit();
     shownCaptures_.edit();
@@ -154,12 +154,12 @@ void CalibrationRunner::chestPressed() {
 }
 
 void CalibrationRunner::follow(const HeadLookRequest& look) {
-  if (!followed_ || state_->isRunning()) { // what a file says moves nothing, nor what is set while something else runs
+  if (!followed_ || state_->isRunning()) { // ignores initial values and requests during a calibration
     followed_ = look;
   }
   const bool isLooking = requests_ > 0 && lookRequest_ == requests_;
   const bool standsOnBoth = isLooking || player_.atHome || player_.phase == PlayerState::Phase::off ||
-                            player_.phase == PlayerState::Phase::fallen; // else it is on its way back
+                            player_.phase == PlayerState::Phase::fallen; // otherwise it is still moving back
   if (!playerKnown_ || player_.request != requests_ || !standsOnBoth || look == *followed_) {
     return;
   }
@@ -188,7 +188,7 @@ void CalibrationRunner::nextStep() {
     return go();
   }
   ask(PoseRequest::Kind::wait, "", {});
-  state_.edit().questionNumber = std::max(state_->questionNumber, *confirmed_) + 1; // no old answer counts
+  state_.edit().questionNumber = std::max(state_->questionNumber, *confirmed_) + 1; // invalidates earlier answers
   enter(Phase::waiting, step.question);
 }
 
@@ -255,7 +255,7 @@ void CalibrationRunner::tellTimeLeft() {
                          [](const CalibrationStep& step) { return step.pictures > 0; });
   };
   CalibrationState& state = state_.edit();
-  if (state.pose > 1) { // from the first pose's pictures to these
+  if (state.pose > 1) { // from the images of the first pose to these
     poseTime_ = toSeconds(picture_->frame.time - *roundStart_) / (state.pose - 1);
   }
   if (poseTime_) {
@@ -277,7 +277,7 @@ void CalibrationRunner::collect() {
 }
 
 void CalibrationRunner::arriveAtStand() {
-  const bool isPlanned = !rounds_[0].empty(); // else it is there to begin with
+  const bool isPlanned = !rounds_[0].empty(); // otherwise this is the initial approach
   return isPlanned ? endStep() : prepare();
 }
 
@@ -290,7 +290,7 @@ void CalibrationRunner::prepare() {
   enter(Phase::preparing, "The ways between the poses are being checked.");
   RoundOptions options{*repeats_, radians(*approach_), 0, *orderSeed_};
   if (kind_->feet.front() == SupportFoot::both) {
-    constexpr double nearer = 0.7; // to check, other places than those that were calibrated with
+    constexpr double nearer = 0.7; // check other head angles than those calibrated with
     rounds_[0] = planHeadRound(player_.home, *yaws_, *pitches_, 1, options);
     ++options.seed;
     rounds_[1] = planHeadRound(player_.home, *yaws_, *pitches_, nearer, options);
@@ -317,7 +317,7 @@ void CalibrationRunner::take(const Capture& capture) {
 }
 
 void CalibrationRunner::endRound() {
-  ask(PoseRequest::Kind::home, "The stand", {}); // it is there, and can be let go
+  ask(PoseRequest::Kind::home, "The stand", {}); // already there; releases the hold
   if (kind_ == &askedKind_) {
     return enter(Phase::finished, fmt::format("All poses were taken; what was seen lies in {} on the robot.",
                                               (jobs_.folder() / "first").string()));

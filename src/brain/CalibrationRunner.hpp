@@ -17,14 +17,15 @@
 
 namespace naocal {
 
-/// Calibrates the robot: takes poses before the boards, solves the captures, puts the joints' offsets and the cameras'
-/// mounts into effect, takes a second, shorter round, and says how far the error of its pictures has fallen. Where that
-/// is by half, it saves them; else it puts back what was before: the robot was well calibrated already, or something
-/// else is off. What takes long is left to its jobs.
+/// Calibrates the robot: captures boards in a first round of poses, solves, applies joint offsets and camera mounts,
+/// and measures the error in a second, shorter round. Saves the result if the error falls by half or more; otherwise
+/// restores the previous calibration: the robot was well calibrated already, or another error dominates. Slow steps run
+/// in `CalibrationJobs`.
 ///
-/// Started by its parameter `run` becoming the name of a kind of calibration (a value from the file starts nothing),
-/// and ended by any other value; also by the chest button, which answers questions as well.
-/// "poses" instead plays the poses of the parameter `poses` and records what is seen, and calibrates nothing.
+/// Setting the parameter `run` to the name of a kind starts a calibration (the value from the file does not); any other
+/// value aborts it. The chest button starts one too, and confirms questions. "poses" plays the parameter `poses` and
+/// records captures without calibrating; "undo" undoes the last saved calibration.
+///
 class CalibrationRunner final : public Module {
 public:
   explicit CalibrationRunner(CalibrationContext context);
@@ -47,7 +48,7 @@ private:
   void follow(const HeadLookRequest& look);
   bool isStill(const CameraFrame& frame);
   void collect();
-  bool takePicture(); // if there is one, and all is still; else says what it waits for
+  bool takePicture(); // if one is available and everything is still; otherwise reports the reason to wait
   void waitFor(const char* what);
   void tellTimeLeft();
   void arriveAtStand();
@@ -67,16 +68,17 @@ private:
   CommandParameter<std::string> run_{*this, "run"};
   CommandParameter<int> confirmed_{*this, "confirmed"};
   CommandParameter<RequestedPoses> askedPoses_{*this, "poses"};
-  Parameter<std::string> chestStarts_{*this, "chestStarts"}; // the kind; empty: none
+  Parameter<std::string> chestStarts_{*this, "chestStarts"}; // kind started by the chest button; empty: none
   Parameter<std::vector<double>> yaws_{*this, "headYaws", checkEachWithin<-119, 119>},
       pitches_{*this, "headPitches", checkEachWithin<-38, 29>};         // [deg]
-  Parameter<int> repeats_{*this, "repeats", checkWithin<1, 20>};        // pictures per camera and pose
-  Parameter<int> checkPoses_{*this, "checkPoses", checkWithin<1, 100>}; // on each foot, to check
-  Parameter<double> approach_{*this, "approach", checkWithin<0, 5>};    // from how far joints come into a pose [deg]
-  Parameter<std::uint64_t> orderSeed_{*this, "seed"};                   // of the order of poses
-  Parameter<double> settleTime_{*this, "settle", checkWithin<0, 10>};   // before a picture counts [s]
+  Parameter<int> repeats_{*this, "repeats", checkWithin<1, 20>};        // images per camera and pose
+  Parameter<int> checkPoses_{*this, "checkPoses", checkWithin<1, 100>}; // per foot, in the check round
+  Parameter<double> approach_{*this, "approach", checkWithin<0, 5>};    // distance from which joints approach a pose
+                                                                        // [deg]
+  Parameter<std::uint64_t> orderSeed_{*this, "seed"};                   // of the random order of poses
+  Parameter<double> settleTime_{*this, "settle", checkWithin<0, 10>};   // stillness required before an image [s]
   Parameter<double> stillPicture_{*this, "stillPicture",
-                                  checkWithin<0, 255>}; // a picture's most change since the last [grey]
+                                  checkWithin<0, 255>}; // largest change from the previous image [grey levels]
   Parameter<CalibrationBoards> boards_{*this, "boards"};
   Dependency<StillImage> picture_{*this, "stillPicture"};
   Dependency<CameraModels> cameras_{*this, "cameras"};
@@ -93,17 +95,17 @@ private:
   bool playerKnown_ = false;
   std::optional<HeadLookRequest> followed_;
   std::uint64_t requests_ = 0, cycles_ = 0;
-  std::uint64_t lookRequest_ = 0; // the last one that made the robot look somewhere
-  std::string runBefore_;         // the last value of `run`
+  std::uint64_t lookRequest_ = 0; // the last request that moved the head
+  std::string runBefore_;         // previous value of `run`
   const CalibrationKind* kind_ = nullptr;
-  CalibrationKind askedKind_; // that plays `poses`
+  CalibrationKind askedKind_; // kind that plays `poses`
   CalibrationJobs::Rounds rounds_;
   std::size_t round_ = 0, step_ = 0;
-  std::map<std::string, int> taken_;           // in the present step, by camera
-  std::map<CameraName, CameraFrame> previous_; // of the present step
+  std::map<std::string, int> taken_;           // in the current step, by camera
+  std::map<CameraName, CameraFrame> previous_; // last images of the current step
   std::optional<TimePoint> roundStart_;
-  std::optional<double> poseTime_;        // on the average of the present round, or the one before [s]
-  TimePoint waitingSince_, pictureSince_; // for the next capture, since the last picture; in the program's time
+  std::optional<double> poseTime_;        // mean, of the current round or the previous one [s]
+  TimePoint waitingSince_, pictureSince_; // start of the wait for a capture, time of the last image; in Clock
   CalibrationJobs jobs_;
 };
 

@@ -61,7 +61,7 @@ CalibrationRound planHeadRound(const CompensatedAngles& stand, const std::vector
       step.taken.supportFoot = SupportFoot::both;
       step.taken.joints.approach.assign(jointCount, 0);
       for (const std::size_t joint : neck) {
-        const double side = repeat % 2 == 0 ? 1 : -1; // the way that the joint turns at last
+        const double side = repeat % 2 == 0 ? 1 : -1; // direction of the final motion
         step.taken.joints.approach[joint] = side;
         step.points.front()[joint] -= side * options.approach;
       }
@@ -122,7 +122,7 @@ CalibrationRound LegRoundPlanner::planRound(const RoundOptions& options, int sta
   std::shuffle(poses.begin(), poses.end(), random);
   poses.resize(options.poses == 0 ? poses.size() : std::min(options.poses, poses.size()));
   CalibrationRound round = onto(stance > 0);
-  std::vector<CompensatedAngles> back = {round.back().points.back()}; // upright again, from the pose before
+  std::vector<CompensatedAngles> back = {round.back().points.back()}; // way back to upright from the previous pose
   for (const PlayablePose& pose : poses) {
     const SingleSupportPlanner::Approach first = approach(pose, options.approach, random);
     for (int repeat = 0; repeat < options.pictures; ++repeat) {

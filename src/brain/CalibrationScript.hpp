@@ -10,52 +10,52 @@
 
 namespace naocal {
 
-/// A step of a calibration's round.
+/// One step of a calibration round.
 struct CalibrationStep {
-  std::string name;                      // of where it leads, for people
-  std::string question;                  // to the person, answered before it begins; empty: none
-  bool held = false;                     // a person holds the robot on the way, until the next step begins
-  std::vector<CompensatedAngles> points; // to go through and stay at the last one; none: back to the stand
-  int pictures = 0;                      // of each camera, taken there
-  Capture taken;                         // what all captures of the step have in common: pose, repeat, foot, stance
+  std::string name;                      // name of the target, for display
+  std::string question;                  // question to the operator, confirmed before the step; empty: none
+  bool held = false;                     // a person holds the robot from here until the next step begins
+  std::vector<CompensatedAngles> points; // waypoints; the robot stays at the last one; empty: back to the stand
+  int pictures = 0;                      // per camera, at the last waypoint
+  Capture taken;                         // common fields of the step's captures: pose, repeat, foot, stance
 };
 
-/// The poses of a round of a calibration, one after another.
+/// The poses of one calibration round, in order.
 using CalibrationRound = std::vector<CalibrationStep>;
 
-/// How a round is taken.
+/// Options of a round.
 struct RoundOptions {
-  int pictures = 2;       // of each camera in each pose; on one foot each at an approach of its own
-  double approach = 0;    // from how far each joint comes, once from each side [rad]
-  std::size_t poses = 0;  // the first so many of them in the round's random order; 0: all
-  std::uint64_t seed = 1; // of that order
+  int pictures = 2;       // per camera and pose; on one foot, each with a separate approach
+  double approach = 0;    // distance of the approach per joint, alternating sides [rad]
+  std::size_t poses = 0;  // number of poses taken, in the round's random order; 0: all
+  std::uint64_t seed = 1; // of the random order
 };
 
-/// The stand with the head turned [deg].
+/// The stand with the head turned; `yaw`, `pitch` [deg].
 CompensatedAngles turnHead(const CompensatedAngles& stand, double yaw, double pitch);
 
-/// The stand with the head at each pair of these angles [deg] times `share`, in random order; pictures are taken at as
-/// many approaches as asked, of yaw and pitch from below and from above in turn.
+/// The stand with the head at each pair of `yaws` and `pitches` [deg], scaled by `share`, in random order. Each pose is
+/// approached `options.pictures` times, yaw and pitch from below and from above in turn.
 CalibrationRound planHeadRound(const CompensatedAngles& stand, const std::vector<double>& yaws,
                                const std::vector<double>& pitches, double share, const RoundOptions& options);
 
-/// The poses of a pose file that a robot takes on one foot, each reached from standing upright on that foot, so that
-/// they can be taken in any order (SingleSupportPlanner), by robots with joints off by what the file says,
-/// at most 6.5 degrees as in `naocal poses`: poses may be safe for more than ways are.
+/// Plans the single-support poses of a pose file for one foot. Each pose is reached from standing upright on that foot,
+/// so that any order is possible (SingleSupportPlanner). Ways tolerate joint errors up to the file's `jointError`,
+/// limited to the default of `naocal poses` (6.5 degrees): poses may tolerate larger errors than ways do.
 class LegRoundPlanner {
 public:
-  /// `stand`: on both feet. Throws InputError for a foot that the file has no poses for, and for poses without a safe
-  /// way to them.
+  /// `stand`: on both feet. Throws InputError if the file has no poses for the foot. `planRound` throws it if a pose
+  /// has no safe way.
   LegRoundPlanner(const Robot& drawing, const PoseFile& file, SupportFoot foot, const CompensatedAngles& stand);
 
-  /// Onto the foot, through the poses in random order, and back to the stand; held by a person between one foot and
-  /// both, for its joints may be off by degrees, and since the foot before where this is not the first stance (0). In
-  /// each pose pictures are taken at as many approaches as asked, from below and from above in turn: which joint comes
-  /// from where first is random.
+  /// Plans the way onto the foot, through the poses in random order, and back to the stand. A person holds the robot
+  /// between one foot and both, because its joints may be off by degrees; in a later stance (`stance` > 0) also since
+  /// the previous foot. Each pose is approached `options.pictures` times, from below and from above in turn; each
+  /// joint's first side is random.
   CalibrationRound planRound(const RoundOptions& options, int stance) const;
 
 private:
-  /// Onto the foot, upright: held by a person, who then puts the robot down and lets it go.
+  /// Steps onto the foot, upright. A person holds the robot, puts it down and lets go; `isHeld`: holds it already.
   CalibrationRound onto(bool isHeld) const;
   SingleSupportPlanner::Approach approach(const PlayablePose& pose, double distance, std::mt19937_64& random) const;
   CompensatedAngles robotAngles(const Eigen::VectorXd& angles) const;

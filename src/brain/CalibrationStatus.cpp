@@ -13,7 +13,7 @@
 namespace naocal {
 namespace {
 
-constexpr int fewestCorners = 6; // of a pose's pictures in which a board was seen
+constexpr int fewestCorners = 6; // per pose, over all images; below it no board counts as detected
 
 /// "left knee pitch" for LKneePitch.
 std::string inWords(const std::string& joint) {

@@ -14,27 +14,27 @@
 
 namespace naocal {
 
-/// How a calibration on the robot fares.
+/// Progress and outcome of a calibration on the robot.
 struct CalibrationState {
   enum class Phase { idle, preparing, goingHome, waiting, moving, collecting, solving, checking, finished, failed };
   Phase phase = Phase::idle;
-  std::string kind;                              // what runs, or ran last
-  std::string sentence;                          // what it does or waits for, or how it ended
-  std::string question;                          // to the person; empty: none is open
-  int questionNumber = 0;                        // that answers it
-  int pose = 0, poses = 0;                       // taken, of the present round
-  int captures = 0;                              // taken in both rounds
-  std::optional<double> secondsLeft;             // of the present round
-  std::optional<double> errorBefore, errorAfter; // of corners that were not used to calibrate [px]
+  std::string kind;                              // running or last kind
+  std::string sentence;                          // current action, reason to wait, or outcome
+  std::string question;                          // open question to the operator; empty: none
+  int questionNumber = 0;                        // value of `confirmed` that answers it
+  int pose = 0, poses = 0;                       // finished and total, in the current round
+  int captures = 0;                              // total of both rounds
+  std::optional<double> secondsLeft;             // until the end of both rounds
+  std::optional<double> errorBefore, errorAfter; // on corners not used for the calibration [px]
 
-  /// Neither idle nor at an end.
+  /// Neither idle nor finished nor failed.
   bool isRunning() const { return phase != Phase::idle && phase != Phase::finished && phase != Phase::failed; }
 };
 void to_json(nlohmann::json& out, const CalibrationState& state);
 
-/// The poses of the present round in which pictures are taken, before they are played.
+/// The current round's poses with captures, published before they are played.
 struct PublishedPoses {
-  int round = 0, step = 0; // the pose that comes next, or is being taken
+  int round = 0, step = 0; // step: index of the current or next pose
   struct Pose {
     std::string name;
     CompensatedAngles angles; // [rad]
@@ -43,37 +43,37 @@ struct PublishedPoses {
 };
 void to_json(nlohmann::json& out, const PublishedPoses& poses);
 
-/// Those of a round, the first at `step` or behind it next.
+/// Poses with captures of a round; `step` is the index of the current step in `steps`.
 PublishedPoses listPoses(int round, const CalibrationRound& steps, std::size_t step);
 
-/// A picture that was taken, and what was found in it.
+/// A capture and its detections.
 struct PublishedCapture {
   int number = 0, round = 0;
   std::string pose, camera;
-  std::optional<int> corners; // absent: not looked at yet
+  std::optional<int> corners; // absent: not processed yet
   std::vector<std::string> boards;
 };
 void to_json(nlohmann::json& out, const PublishedCapture& capture);
 
-/// What the first round's captures said.
+/// Result of the first round.
 struct PublishedOutcome {
   struct Offset {
     std::string joint;
     double before = 0, after = 0, sigma = 0; // [deg]
-    double learned = 0;                      // as in a result
+    double learned = 0;                      // as in a result file
   };
   std::vector<Offset> joints;
-  std::vector<std::string> warnings; // sentences, with what to do
-  std::string before;                // the keys of both mounts as they were set before, JSON; empty: nothing was tried
-  std::string diagnosis;             // how well the model fits, in a sentence or two; empty until that is known
+  std::vector<std::string> warnings; // sentences that say what to do
+  std::string before;                // keys of both mounts before the calibration, as JSON; empty: nothing was applied
+  std::string diagnosis;             // model fit, one or two sentences; empty until known
 };
 void to_json(nlohmann::json& out, const PublishedOutcome& outcome);
 
-/// Those offsets that the captures tell.
+/// The offsets that the captures determine (`isLearned`).
 std::vector<EffectiveOffset> learnedOffsets(std::vector<EffectiveOffset> offsets);
 
-/// The offsets that were learned beside those before; of each that was not a warning, with the poses in which no board
-/// was seen.
+/// Lists learned offsets beside the previous ones [deg]; adds a warning for each other offset, naming the poses in
+/// which no board was detected.
 PublishedOutcome summarizeOutcome(const StoredResult& before, const std::vector<EffectiveOffset>& offsets,
                                   const std::vector<PublishedCapture>& captures);
 

@@ -15,7 +15,7 @@ Eigen::Isometry3d isometry(const RigidTransform& transform) {
   return result;
 }
 
-/// [[angle, axis], position], lengths in units of `metre`.
+/// [[angle, axis], position], lengths scaled by `metre`.
 nlohmann::json kinematicMatrix(const Eigen::Isometry3d& transform, double metre) {
   const Eigen::AngleAxisd turn{transform.linear()};
   const Eigen::Vector3d position = metre * transform.translation();

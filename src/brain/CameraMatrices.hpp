@@ -10,8 +10,8 @@
 
 namespace naocal {
 
-/// Where a camera was while a picture was taken, as HULKs' panel wants it: `torso2Head` and `ground2Torso` in
-/// millimetres, `ground2Camera` in metres, each as angle, axis and position.
+/// Camera pose at an image's exposure, in the format of HULKs' panel: `torso2Head` and `ground2Torso` in millimetres,
+/// `ground2Camera` in metres, each as [[angle, axis], position].
 struct PanelCameraPose {
   Eigen::Isometry3d headFromTorso = Eigen::Isometry3d::Identity();
   Eigen::Isometry3d torsoFromGround = Eigen::Isometry3d::Identity();
@@ -20,14 +20,14 @@ struct PanelCameraPose {
 };
 void to_json(nlohmann::json& out, const PanelCameraPose& matrices);
 
-/// With joints and torso as at `moment` and the camera's mount as believed. The ground's origin lies on the floor under
-/// the torso, its axes are the torso's without roll and pitch; the lower sole stands on it:
+/// Camera pose from joints and torso tilt at `moment` and the calibrated mount. The ground frame's origin lies on the
+/// floor below the torso; its axes are the torso's without roll and pitch; the lower sole stands on the floor:
 ///
 ///   groundFromTorso = Ry(pitch) Rx(roll) T(-sole), then x = y = 0
 PanelCameraPose computePanelCameraPose(const Robot& drawing, const JointSample& moment, CameraName camera,
                                        const CameraModel& belief);
 
-/// Tells them of every picture in the cycle in which it comes, so with its timestamp.
+/// Publishes the camera pose of every image in the cycle of its arrival, so that the time stamps match.
 class CameraMatrices final : public Module {
 public:
   explicit CameraMatrices(const Robot& drawing) : Module{"CameraMatrices"}, drawing_{drawing} {}

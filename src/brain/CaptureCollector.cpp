@@ -9,7 +9,7 @@
 namespace naocal {
 namespace {
 
-constexpr std::size_t mostWaiting = 8; // pictures: a motion thread that is silent for longer has lost the robot
+constexpr std::size_t mostWaiting = 8; // images; oldest are dropped if the motion thread reports nothing for longer
 
 std::vector<double> listOf(const PerJoint<double>& values) {
   return {values.begin(), values.end()};

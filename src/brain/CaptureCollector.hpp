@@ -12,21 +12,20 @@
 
 namespace naocal {
 
-/// A picture that was taken while nothing moved, with what the robot measured in the middle of its exposure.
+/// An image taken while the robot was still, with the measurements at mid-exposure.
 struct StillImage {
   bool isNew = false;
-  bool isMoving = false; // instead: one came, but something moved
+  bool isMoving = false; // an image arrived, but the robot moved
   CameraFrame frame;
   Capture capture;     // without pose and corners
-  double stillFor = 0; // how long nothing had moved by then [s]
+  double stillFor = 0; // time since the last motion [s]
 };
 void to_json(nlohmann::json& out, const StillImage& picture);
 
-/// Pairs each picture with what the robot measured in the middle of its exposure, and passes on those that were taken
-/// while nothing moved. A picture whose moment the motion thread has not reported yet waits for it.
+/// Pairs each image with the measurements at mid-exposure; publishes those taken while the robot was still. An image
+/// waits until the motion thread has reported measurements up to its mid-exposure.
 ///
-/// The middle of the exposure lies `latency` after the driver's stamp. Joints are interpolated between the two readings
-/// around it.
+/// Mid-exposure is `latency` after the driver's stamp. Joints are interpolated between the neighbouring readings.
 class CaptureCollector final : public Module {
 public:
   CaptureCollector() : Module{"CaptureCollector"} {}
@@ -34,8 +33,7 @@ public:
   void onParametersChanged() override { latencyShown_ = *latency_; }
 
 private:
-  Parameter<double> latency_{*this, "latency",
-                             checkWithin<-1, 1>}; // from a picture's stamp to the middle of its exposure [s]
+  Parameter<double> latency_{*this, "latency", checkWithin<-1, 1>}; // from an image's stamp to its mid-exposure [s]
   Dependency<NewFrame> frame_{*this, "frame"};
   Dependency<JointSampleHistory> moments_{*this, "Motion.jointHistory"};
   Production<StillImage> picture_{*this, "stillPicture"};
@@ -43,12 +41,12 @@ private:
   std::deque<CameraFrame> waiting_;
 };
 
-/// The capture of a picture and the moment in the middle of its exposure: all that was measured then, raw.
+/// The capture of an image and the raw measurements at mid-exposure; without pose and corners.
 Capture makeCapture(const CameraFrame& frame, TimePoint middle, const JointSample& moment);
 
-/// How far two pictures of a camera differ where they differ most [grey levels]: of blocks of 16 by 16 pixels the
-/// difference of their means, less the median of the blocks beside it (lamps flicker from row to row); 19 of 20 blocks
-/// differ by less. Noise of single pixels averages out. Infinite for pictures of different sizes.
+/// Difference of two images of one camera [grey levels], robust to pixel noise and lamp flicker: the 95 % quantile over
+/// blocks of 16 by 16 pixels of |d - median of d in the block's row|, where d is the difference of the block means.
+/// Infinite for images of different sizes.
 double imageDifference(const GreyPicture& one, const GreyPicture& other);
 
 } // namespace naocal

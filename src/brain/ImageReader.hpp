@@ -11,7 +11,7 @@
 
 namespace naocal {
 
-/// The picture that came last; `isNew` in the cycle in which it came.
+/// The last image; `isNew` in the cycle in which it arrived.
 struct NewFrame {
   bool isNew = false;
   CameraFrame frame;
@@ -19,17 +19,17 @@ struct NewFrame {
 void to_json(nlohmann::json& out, const NewFrame& frame);
 void to_json(nlohmann::json& out, const CameraStatus& link);
 
-/// A camera's picture for people: as a JPEG of quality 75, in colour where it has any.
+/// A camera image for display: JPEG of quality 75, in colour if the frame has colour.
 struct DisplayFrame {
   CameraFrame frame;
 };
 EncodedImage toImage(const DisplayFrame& shown);
 
-/// Waits for the cameras' next picture: the brain thread's pace. Goes on without one after a fifth of a second, so that
-/// the thread can end and say what is wrong.
+/// Waits for the cameras' next image and thereby paces the brain thread. Continues without an image after 200 ms, so
+/// that the thread can end and report problems.
 ///
-/// A cycle's time is its picture's, in whole milliseconds later than the cycle before: whoever pairs pictures and
-/// values by their timestamps [ms] never sees two of one time.
+/// The cycle time is the image's time stamp, at least 1 ms after the previous one: clients that pair images and values
+/// by time stamp [ms] never see two equal ones.
 class ImageReader final : public Module {
 public:
   explicit ImageReader(CameraInterface& cameras) : Module{"ImageReader"}, cameras_{cameras} {}
@@ -45,7 +45,7 @@ private:
   std::array<Settings, 2> set_; // by CameraName
   Parameter<Settings> topSettings_{*this, "topSettings", known}, bottomSettings_{*this, "bottomSettings", known};
   Production<NewFrame> frame_{*this, "frame"};
-  Production<DisplayFrame> top_{*this, "CameraCalibration.top_image"}; // the keys that HULKs' panel asks for
+  Production<DisplayFrame> top_{*this, "CameraCalibration.top_image"}; // keys used by HULKs' panel
   Production<DisplayFrame> bottom_{*this, "CameraCalibration.bottom_image"};
   Production<std::map<std::string, CameraStatus>> links_{*this, "cameraLinks"};
 };

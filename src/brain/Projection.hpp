@@ -11,16 +11,16 @@
 
 namespace naocal {
 
-/// What is believed of one camera.
+/// Calibration of one camera.
 struct CameraModel {
   CameraIntrinsics intrinsics;
-  std::array<double, 3> rotation{}; // of its mount beyond the drawing: rx, ry, rz in the camera's axes [rad]
+  std::array<double, 3> rotation{}; // mount rotation relative to the drawing: rx, ry, rz in the camera's axes [rad]
 };
 using CameraModels = std::map<std::string, CameraModel>; // "top", "bottom"
 void to_json(nlohmann::json& out, const CameraModel& belief);
 
-/// The cameras' calibration as HULKs keep it in Projection.json: focal length and centre as shares of the picture's
-/// width and height, the mount's rotation as roll, pitch, yaw in radians.
+/// Camera calibration in HULKs' format (Projection.json): focal length and principal point as fractions of image width
+/// and height, mount rotation as roll, pitch, yaw [rad].
 class Projection final : public Module {
 public:
   Projection() : Module{"Projection"} {}

@@ -10,24 +10,25 @@
 
 namespace naocal {
 
-/// Takes a recording's captures anew while it is replayed: pairing, detection and solving as on the robot. What no
-/// replay tells (which pose it was, what was commanded, how joints moved) is taken from the recording.
+/// Repeats a recording's calibration during replay: pairs, detects and solves as on the robot. Data that the replay
+/// does not provide (pose, commanded angles, approach directions) comes from the recording.
 class ReplayedCalibration final : public Module {
 public:
-  /// `folder`: for the new recording; `model`: what is estimated beside offsets and mounts. Everything must outlive it.
+  /// `folder`: new recording; `model`: effects estimated in addition to offsets and mounts. All arguments must
+  /// outlive the module.
   ReplayedCalibration(const Robot& drawing, const ReplayWorld& world, std::filesystem::path folder, ModelFile model);
   void cycle() override;
 
-  /// Once the replay is over and its thread has ended: solves, and says in a sentence how the estimates compare with a
-  /// recorded result. Throws what was thrown on the way.
+  /// Solves, and compares the estimates with a recorded result; returns one sentence. Call it after the replay's thread
+  /// has ended. Rethrows the worker's first exception.
   std::string compareWith(const std::filesystem::path& recordedResult);
 
 private:
   const ReplayWorld& world_;
   Dependency<StillImage> picture_{*this, "stillPicture"};
   std::optional<CalibrationRecorder> session_;
-  std::exception_ptr failure_;             // the worker's first
-  Worker worker_{Worker::AtEnd::allTasks}; // last: it uses the others
+  std::exception_ptr failure_;             // first exception of the worker
+  Worker worker_{Worker::AtEnd::allTasks}; // last: uses the members above
 };
 
 } // namespace naocal

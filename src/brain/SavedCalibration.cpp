@@ -39,7 +39,7 @@ StoredResult readConfiguredCalibration(const Configuration& configuration) {
   configuration.readKeys(offsetsMount, offsets);
   configuration.readKeys(camerasMount, mounts);
   for (const std::string_view joint : jointNames) {
-    if (joint != "RHipYawPitch" && !joint.ends_with("Hand")) { // no motor of its own; no angle
+    if (joint != "RHipYawPitch" && !joint.ends_with("Hand")) { // coupled joint, and joints without an angle
       const std::string term = fmt::format("jointOffset@{}", joint);
       result.terms.push_back(term);
       result.values[term + ".o"] = radians(offsets.at(offsetKey(std::string{joint})).get<double>());

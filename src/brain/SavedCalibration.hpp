@@ -6,27 +6,27 @@
 
 namespace naocal {
 
-/// Those of the neck.
+/// The offsets of the neck.
 std::vector<EffectiveOffset> headOffsets(std::vector<EffectiveOffset> offsets);
 
-/// The joints' offsets and the cameras' mounts as they are configured now.
+/// The configured joint offsets and camera mounts.
 StoredResult readConfiguredCalibration(const Configuration& configuration);
 
-/// The keys of both as they are set now, to be put back.
+/// The keys of both mounts in their current state, as JSON for `restoreCalibration`.
 std::string snapshotCalibration(const Configuration& configuration);
 
-/// Puts into effect the joints' offsets (Motion.JointCalibrationProvider, degrees) and the cameras' mounts of a result
-/// (Brain.Projection, radians); both hip yaw-pitches get their one motor's. Nothing is saved. Throws what the
-/// configuration throws; nothing has changed then.
+/// Applies joint offsets (Motion.JointCalibrationProvider, degrees) and the camera mounts of a result
+/// (Brain.Projection, radians) without saving; both hip yaw-pitches get the offset of their common motor. Rethrows
+/// exceptions of the configuration after restoring the previous values.
 void applyCalibration(const std::vector<EffectiveOffset>& offsets, const StoredResult& mounts,
                       Configuration& configuration);
 void restoreCalibration(const std::string& calibrationKeys, Configuration& configuration);
 
-/// From now on neither is saved or undone without the other, whoever asks for it.
+/// Groups both mounts: they are always saved and undone together.
 void saveCalibrationTogether(Configuration& configuration);
 
-/// Saves both, and undoes what was saved last. Throw ConfigurationError where that cannot be.
-bool isCalibrationSaved(const Configuration& configuration); // as it is now
+/// Whether both mounts have no unsaved changes; save or undo both. Throw ConfigurationError on failure.
+bool isCalibrationSaved(const Configuration& configuration);
 void saveCalibration(Configuration& configuration);
 void undoCalibration(Configuration& configuration);
 

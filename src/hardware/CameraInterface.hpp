@@ -28,65 +28,64 @@ enum class PixelFormat {
   rgb,  // R G B: three bytes
 };
 
-/// The bytes of a picture, row by row from the top left without padding. Immutable; any thread may read.
+/// Bytes of an image, row by row from the top left without padding. Immutable; thread-safe to read.
 class ImageBytes {
 public:
   virtual ~ImageBytes() = default;
 
-  /// Valid as long as this object. A simulated camera renders in the first call (tens of ms), a replay reads its file;
-  /// whoever does not look at a picture does not pay for it. Empty when the picture could not be had (a lost file).
+  /// Valid as long as this object. Lazy: a simulated camera renders (tens of ms) and a replay reads its file in the
+  /// first call. Empty if the image is unavailable (missing file).
   virtual std::span<const std::uint8_t> bytes() const = 0;
 };
 
-/// One picture of one camera. Copies share the bytes.
+/// One image of one camera. Copies share the bytes.
 struct CameraFrame {
   CameraName camera = CameraName::top;
   PixelFormat format = PixelFormat::yuyv;
   int width = 0, height = 0; // [px]
-  /// The driver's stamp: when the first row began to be exposed. The middle of the exposure lies half the exposure time
-  /// and half the read-out later, about 17 ms, which is a parameter of whoever pairs pictures with joints.
+  /// The driver's stamp: start of exposure of the first row. Mid-exposure follows half the exposure time plus half the
+  /// read-out time later, about 17 ms; the module that pairs images with joints has it as a parameter.
   TimePoint time;
-  std::uint64_t sequence =
-      0; // of this camera, counts pictures taken: gaps are pictures lost. Goes on after a reopening
+  std::uint64_t sequence = 0; // per camera, counts exposed images: gaps are lost images; continues after reopening
   std::shared_ptr<const ImageBytes> picture;
 };
 
-/// Its bytes; none when they are not as many as format and size say.
+/// The bytes; empty if their number does not match format and size.
 std::span<const std::uint8_t> completeBytes(const CameraFrame& frame);
 
-/// Its brightness; absent when the bytes are not as many as format and size say.
+/// The brightness; absent if the number of bytes does not match format and size.
 std::optional<GreyPicture> toGreyImage(const CameraFrame& frame);
 
-/// How a camera fares.
+/// Counters and problem of a camera.
 struct CameraStatus {
-  std::uint64_t frames = 0;  // given to the program
-  std::uint64_t skipped = 0; // taken, but a newer one was there when the program asked
-  std::uint64_t lost = 0;    // that the driver took and never delivered: gaps of its sequence numbers
-  std::uint64_t undated = 0; // whose driver's time means nothing here: they count from when they came
-  std::uint64_t broken = 0;  // delivered but marked as damaged by the driver; not given to the program
+  std::uint64_t frames = 0;  // delivered to the program
+  std::uint64_t skipped = 0; // replaced by a newer image before the program took them
+  std::uint64_t lost = 0;    // exposed but never delivered by the driver: gaps in its sequence numbers
+  std::uint64_t undated = 0; // without a valid driver time stamp; the arrival time is used
+  std::uint64_t broken = 0;  // marked as damaged by the driver; not delivered
   std::uint64_t reopened = 0;
-  std::string problem; // one sentence while the camera gives nothing, or when it refused a setting; else empty
+  std::string problem; // one sentence if the camera delivers nothing or refused a setting; otherwise empty
 };
 
 /// The cameras of a robot: real, replayed or simulated.
 ///
-/// Threads: made and destroyed by whoever starts the camera loop's thread, while that does not run; all other calls
-/// come from that thread alone. It never waits for the motion thread, nor that for it. Nothing throws after
-/// construction: a camera that is gone is absence and a sentence in `status()`, and it is opened again by the next
-/// calls while the other one goes on.
+/// Threading: constructed and destroyed by the thread that starts the camera loop, while that loop does not run; all
+/// other calls come from the camera loop only. It never waits for the motion thread, nor vice versa. Nothing throws
+/// after construction: a lost camera yields no images and a sentence in `status()`; the next calls reopen it while the
+/// other camera continues.
 class CameraInterface {
 public:
   virtual ~CameraInterface() = default;
 
-  /// Blocks until one of the cameras has a picture that was not given yet; of several pictures of one camera the
-  /// newest, of both cameras the older. Absent after `timeout` (wall time), or at the end of a replay.
+  /// Blocks until a camera has a new image: the newest image of each camera, the older one of the two cameras. Absent
+  /// after `timeout` (wall time), or at the end of a replay.
   virtual std::optional<CameraFrame> waitForFrame(std::chrono::milliseconds timeout) = 0;
 
-  /// Nothing will come any more: a replay is over.
+  /// No more images will arrive: a replay has ended.
   virtual bool hasEnded() const { return false; }
 
-  /// A camera's settings by the names of v4l2/VideoOptions.hpp, such as exposure; cameras that have none ignore them.
-  /// What a camera refuses stands in `status`.
+  /// Changes a camera's settings, named as in v4l2/VideoOptions.hpp, such as exposure; ignored by cameras without
+  /// settings. `status` reports refused settings.
   virtual void configure(CameraName, const std::map<std::string, int>& /*settings*/) {}
 
   virtual CameraStatus status(CameraName camera) const = 0;

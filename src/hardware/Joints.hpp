@@ -9,8 +9,8 @@ namespace naocal {
 
 template <typename Value> using PerJoint = std::array<Value, jointCount>;
 
-/// Angles as encoders show them and motors take them, offsets included [rad]; hands [1]. Perception and planning use
-/// angles that are compensated for the offsets, which are of another type, so that the two cannot be mixed.
+/// Angles as read by encoders and sent to motors, including offsets [rad]; hands [1]. Perception and planning use
+/// CompensatedAngles; the separate types prevent mixing the two.
 struct RawAngles {
   PerJoint<double> values{};
 

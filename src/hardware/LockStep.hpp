@@ -7,28 +7,28 @@
 
 namespace naocal {
 
-/// Keeps a world whose time is not the wall's in step with its camera loop: the motion loop's side waits until the
-/// camera loop has taken all pictures and asks for another one. So the same program sees the same every time, and
-/// nothing is skipped because a computer is slow. All under one mutex.
+/// Synchronizes a world with simulated time and its camera loop: the motion side waits until the camera loop has taken
+/// all images and waits for the next one. Results are therefore reproducible, and no image is skipped on a slow
+/// computer. The caller's mutex protects all members.
 class LockStep {
 public:
   std::condition_variable changed;
 
-  /// The camera loop's side exists; without one nobody waits.
+  /// Enables or disables waiting: true while a camera loop exists.
   void use(bool used) {
     used_ = used;
     changed.notify_all();
   }
 
-  /// Motion's side: until the camera loop has nothing to do but wait. A loop that does nothing for `patience` of wall
-  /// time is not waited for until it comes back.
+  /// Motion side: waits until the camera loop is idle and no image is pending. A camera loop that does not return
+  /// within `patience` (wall time) is ignored until it waits again.
   void waitForCameraLoop(std::unique_lock<std::mutex>& lock, const std::function<bool()>& hasPendingImage) {
     constexpr std::chrono::seconds patience{2};
     const auto idle = [&] { return !used_ || (waits_ && !hasPendingImage()); };
     asleep_ = asleep_ || !changed.wait_for(lock, patience, idle);
   }
 
-  /// The cameras' side: until there is a picture or nothing more will come.
+  /// Camera side: waits until `over` is true, or `timeout`.
   void waitForImage(std::unique_lock<std::mutex>& lock, std::chrono::milliseconds timeout,
                     const std::function<bool()>& over) {
     waits_ = true;

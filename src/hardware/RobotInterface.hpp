@@ -12,40 +12,40 @@
 
 namespace naocal {
 
-/// Brightness of one coloured light, each 0 .. 1.
+/// Brightness of an RGB LED, each 0 .. 1.
 struct Rgb {
   float red = 0, green = 0, blue = 0;
   bool operator==(const Rgb&) const = default;
 };
 
-/// Eyes of this colour ask the person beside the robot to hold it.
+/// Eye colour that asks a person to hold the robot.
 constexpr Rgb holdMeColour{1, 0.75f, 0};
 
-/// The robot's lights, each list in the robot's own order.
+/// The robot's LEDs, each list in the robot's order.
 struct Leds {
   Rgb chest, leftFoot, rightFoot;
-  std::array<Rgb, 8> leftEye{};  // from 45 degrees on, counting down
-  std::array<Rgb, 8> rightEye{}; // from 0 degrees on, counting up
+  std::array<Rgb, 8> leftEye{};  // from 45 degrees, descending
+  std::array<Rgb, 8> rightEye{}; // from 0 degrees, ascending
   std::array<float, 10> leftEar{}, rightEar{};
   std::array<float, 12> skull{};
   bool operator==(const Leds&) const = default;
 };
 
-/// What the motors shall do until the next command.
+/// Motor and LED targets, valid until the next command.
 struct RobotCommand {
-  RawAngles angles;             // targets; the right hip yaw-pitch is ignored, one motor drives both
+  RawAngles angles;             // the right hip yaw-pitch is ignored (coupled motor)
   PerJoint<double> stiffness{}; // 0 .. 1 of the motor's torque; 0 or less: the motor is off
   Leds leds;
 };
 
-/// Which robot it is: the serial numbers that choose its configuration.
+/// Serial numbers; they select the robot's configuration.
 struct RobotIdentity {
   std::string bodyId, headId;
   std::string bodyVersion, headVersion; // such as "6.0.0"
   bool operator==(const RobotIdentity&) const = default;
 };
 
-/// What is touched or pressed.
+/// State of touch sensors, bumpers and the chest button.
 struct Touch {
   bool chestButton = false;
   bool headFront = false, headMiddle = false, headRear = false;
@@ -58,68 +58,67 @@ struct Touch {
 struct Battery {
   double charge = 0;      // 0 empty .. 1 full
   double status = 0;      // as the robot reports it
-  double current = 0;     // [A]; negative while it discharges
+  double current = 0;     // [A]; negative while discharging
   double temperature = 0; // [degC]
 };
 
-/// What the robot reported in one cycle. Lists by joint in the order of `jointNames`; both hip yaw-pitches carry the
-/// one motor's values.
+/// Sensor readings of one cycle. Lists by joint are in the order of `jointNames`; both hip yaw-pitches carry the values
+/// of their common motor.
 struct RobotState {
-  /// When it was measured, as near as the driver knows. A fast simulation and a replay have a time of their own: take
-  /// `now` from the newest state or frame, never from the wall.
+  /// Time of measurement, as accurate as the driver provides. Fast simulations and replays use a time of their own:
+  /// take `now` from the newest state or frame, never from the clock.
   TimePoint time;
   RawAngles angles; // measured
   PerJoint<double> stiffness{};
   PerJoint<double> current{};                              // [A]
   PerJoint<double> temperature{};                          // [degC]
-  PerJoint<int> status{};                                  // as the robot reports it; 0 is healthy
+  PerJoint<int> status{};                                  // the robot's status code; 0 is healthy
   Eigen::Vector3d accelerometer = Eigen::Vector3d::Zero(); // torso's axes [m/s^2]
   Eigen::Vector3d gyroscope = Eigen::Vector3d::Zero();     // torso's axes [rad/s]
-  Eigen::Vector2d torsoAngles = Eigen::Vector2d::Zero();   // roll, pitch as the inertial unit filters them [rad]
+  Eigen::Vector2d torsoAngles = Eigen::Vector2d::Zero();   // roll, pitch filtered by the inertial unit [rad]
   std::array<double, 8> forces{};                          // soles: left FL, FR, RL, RR, then right [kg]
   std::array<double, 2> sonar{};                           // left, right [m]
   Touch touch;
   Battery battery;
 };
 
-/// How the connection to the robot fares.
+/// Counters and problem of the connection to the robot.
 struct RobotStatus {
   std::uint64_t states = 0;     // received
-  std::uint64_t lostStates = 0; // that the robot measured but this program did not get, as far as the driver can tell
+  std::uint64_t lostStates = 0; // measured by the robot but not received, as far as the driver can tell
   std::uint64_t reconnects = 0; // since the first connection
-  std::string problem;          // one sentence while there is no connection; empty while there is
+  std::string problem;          // one sentence while disconnected, or about the last bad message; otherwise empty
 };
 
-/// Joints, sensors and lights of a robot: a real one, a replayed one or a simulated one.
+/// Joints, sensors and LEDs of a real, replayed or simulated robot.
 ///
-/// Threads: made and destroyed by whoever starts the motion thread, while that does not run; all other calls come from
-/// the motion thread alone. The motion loop is
+/// Threading: constructed and destroyed by the thread that starts the motion thread, while that does not run; all other
+/// calls come from the motion thread only. The motion loop is
 ///
 ///     while (running) {
 ///       if (const auto state = robot.waitForState(timeout)) { robot.send(modules(*state)); }
 ///     }
 ///
-/// so the robot's pace is the loop's. Nothing here throws after construction: a lost connection is absence (no state)
-/// and a sentence in `status()`, and it is mended by the next calls.
+/// so the robot paces the loop. Nothing throws after construction: a lost connection yields no state and a sentence in
+/// `status()`; the next calls reconnect.
 class RobotInterface {
 public:
   virtual ~RobotInterface() = default;
 
-  /// Who it is, for the configuration; absent when the robot has not told within `timeout`. Called
-  /// before the first `waitForState`, if at all.
+  /// The robot's identity; absent after `timeout`. Call it, if needed, before the first `waitForState`.
   virtual std::optional<RobotIdentity> waitForIdentity(std::chrono::milliseconds timeout) = 0;
 
-  /// Blocks until the robot has measured anew; of several that wait the newest is given, the others are counted as
-  /// lost. Absent after `timeout` without a state (wall time), or at the end of a replay.
+  /// Blocks until there is a new state; of several, returns the newest and counts the others as lost. Absent after
+  /// `timeout` (wall time), or at the end of a replay.
   virtual std::optional<RobotState> waitForState(std::chrono::milliseconds timeout) = 0;
 
-  /// Answers the state that was given last. Never blocks; without a connection nothing happens.
+  /// Answers the state returned last. Never blocks; ignored without a connection.
   virtual void send(const RobotCommand& command) = 0;
 
-  /// Between two states: 12 ms (V6), 10 ms (V5).
+  /// Nominal time between states: 12 ms (V6), 10 ms (V5).
   virtual std::chrono::nanoseconds period() const = 0;
 
-  /// Nothing will come any more: a replay is over. False for everything that has no end.
+  /// No more states will arrive: a replay has ended.
   virtual bool hasEnded() const { return false; }
 
   virtual RobotStatus status() const = 0;

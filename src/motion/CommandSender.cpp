@@ -12,8 +12,8 @@
 namespace naocal {
 namespace {
 
-/// What the eyes tell people beside the robot: dark while its motors are off, white while they hold it, yellow while a
-/// person shall hold it, red after a fall.
+/// Eye colour of a player state: dark: motors off; white: motors on; yellow: a person must hold the robot; red: after a
+/// fall.
 Leds ledsFor(const PlayerState& player) {
   using Phase = PlayerState::Phase;
   constexpr Rgb dark{}, white{0.5f, 0.5f, 0.5f}, red{1, 0, 0};

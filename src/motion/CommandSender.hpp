@@ -7,9 +7,8 @@
 
 namespace naocal {
 
-/// Answers every state of the robot with the desired pose, offsets added and within the limits, and with its lights.
-/// Offsets that change do not make the robot jump: what is added follows them at a limited speed, and not before it
-/// stands on both feet again.
+/// Answers every robot state with the desired pose and the LEDs; adds offsets and keeps angles within limits. Changes
+/// of offsets are applied at a limited speed, and only while the robot stands on both feet, so that it does not jump.
 class CommandSender final : public Module {
 public:
   CommandSender(RobotInterface& robot, const Robot& drawing)
@@ -20,7 +19,7 @@ private:
   RobotInterface& robot_;
   JointLimits limits_;
   JointOffsets added_;
-  bool isFirst_ = true;                                                     // offsets are added at once
+  bool isFirst_ = true;                                                     // first command: full offsets
   Parameter<double> offsetSpeed_{*this, "offsetSpeed", checkWithin<1, 90>}; // [deg/s]
   Dependency<SensorFrame> measured_{*this, "measured"};
   Dependency<JointOffsets> offsets_{*this, "JointCalibrationData"};

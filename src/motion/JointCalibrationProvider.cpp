@@ -9,7 +9,7 @@
 namespace naocal {
 namespace {
 
-constexpr double largestOffset = 30; // [deg]; robots have been seen with 12
+constexpr double largestOffset = 30; // [deg]; larger values are refused; 12 have been observed
 
 std::string plausible(const double& degrees) {
   return std::abs(degrees) <= largestOffset ? "" : fmt::format("an offset from -{0} to {0} degrees", largestOffset);

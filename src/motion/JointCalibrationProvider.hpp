@@ -11,11 +11,11 @@
 
 namespace naocal {
 
-/// The key of a joint's offset in JointCalibrationProvider.json: its name with a small first letter.
+/// The key of a joint's offset in JointCalibrationProvider.json: the joint's name with a lower-case first letter.
 std::string offsetKey(std::string_view joint);
 
-/// Takes the joints' offsets out of what the encoders show. The offsets are HULKs' parameters, in degrees, by joint;
-/// they take effect between two cycles. The right hip yaw-pitch's is that of the left: one motor drives both.
+/// Subtracts joint offsets from encoder readings. The offsets are HULKs' parameters [deg], by joint; changes take
+/// effect between cycles. RHipYawPitch uses the offset of LHipYawPitch: one motor drives both.
 class JointCalibrationProvider final : public Module {
 public:
   JointCalibrationProvider();
@@ -23,12 +23,12 @@ public:
   void onParametersChanged() override;
 
 private:
-  std::deque<Parameter<double>> degrees_; // in the order of `jointNames`
+  std::deque<Parameter<double>> degrees_; // same order as `jointNames`
   JointOffsets offsets_;
   Dependency<SensorFrame> measured_{*this, "measured"};
   Production<JointOffsets> offsetsShown_{*this, "JointCalibrationData"};
   Production<CompensatedAngles> angles_{*this, "angles"};
-  Production<std::string> problem_{*this, "JointCalibrationProvider.problem"}; // one sentence, empty when all is well
+  Production<std::string> problem_{*this, "JointCalibrationProvider.problem"}; // one sentence; empty: no problem
 };
 
 } // namespace naocal

@@ -9,10 +9,10 @@
 
 namespace naocal {
 
-/// Says how fast the encoders turn and since when the robot has been still, and keeps the last seconds for the brain.
+/// Computes joint speeds and the duration of stillness, and keeps the last seconds for the brain.
 ///
-/// A speed is the change over `window` seconds, divided by them: over one cycle an encoder's step alone would look like
-/// 0.13 rad/s.
+/// A speed is the change over `window` seconds divided by `window`; over a single cycle, one encoder step would look
+/// like 0.13 rad/s.
 class JointHistory final : public Module {
 public:
   JointHistory() : Module{"JointHistory"} {}
@@ -22,9 +22,9 @@ private:
   bool isStill(const JointSample& moment) const;
 
   Parameter<double> window_{*this, "window", checkShare};                     // [s]
-  Parameter<double> fastestJoint_{*this, "fastestJoint", checkWithin<0, 10>}; // that counts as still [rad/s]
+  Parameter<double> fastestJoint_{*this, "fastestJoint", checkWithin<0, 10>}; // speed limit of stillness [rad/s]
   Parameter<double> fastestTurn_{*this, "fastestTurn",
-                                 checkWithin<0, 10>}; // of the torso, that counts as still [rad/s]
+                                 checkWithin<0, 10>}; // angular speed limit of stillness, torso [rad/s]
   Dependency<SensorFrame> measured_{*this, "measured"};
   Dependency<CompensatedAngles> angles_{*this, "angles"};
   Dependency<RawAngles> sent_{*this, "sentAngles"};

@@ -26,7 +26,7 @@ JointLimits::JointLimits(const Robot& robot) : robot_{robot} {
 void JointLimits::clamp(PerJoint<double>& values) const {
   Eigen::VectorXd angles = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(robot_.joints.size()));
   const auto drawnAngle = [&](std::size_t drawn) -> double& { return angles[static_cast<Eigen::Index>(drawn)]; };
-  for (const bool dependent : {false, true}) { // those that others depend on come first
+  for (const bool dependent : {false, true}) { // independent joints first
     for (std::size_t joint = 0; joint < jointCount; ++joint) {
       if (!drawn_[joint]) {
         values[joint] = std::clamp(values[joint], 0.0, 1.0);

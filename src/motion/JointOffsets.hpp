@@ -7,40 +7,39 @@
 
 namespace naocal {
 
-/// What each encoder shows too much [rad]. Both hip yaw-pitches have the one motor's.
+/// Encoder offsets [rad]: raw = angle + offset. Both hip yaw-pitches have the same value (one motor).
 struct JointOffsets {
   PerJoint<double> values{};
 };
 void to_json(nlohmann::json& out, const JointOffsets& offsets);
 
-/// angles = raw - offsets: where the joints are when their encoders show `raw`.
+/// angles = raw - offsets: true joint angles from encoder readings.
 CompensatedAngles compensate(const RawAngles& raw, const JointOffsets& offsets);
 
-/// The robot's joint limits in the order of `jointNames`.
+/// The robot's joint limits, indexed like `jointNames`.
 class JointLimits {
 public:
   explicit JointLimits(const Robot& robot);
 
-  /// Each angle within its joint's limits, those included that depend on another joint's angle.
+  /// Clamps each angle to its joint's limits, including limits that depend on another joint's angle.
   template <class Angles> Angles clamp(const Angles& angles) const {
     Angles result = angles;
     clamp(result.values);
     return result;
   }
 
-  /// How fast a joint may turn [rad/s]; 0 for hands.
+  /// Maximum speed of a joint [rad/s]; 0 for hands.
   double maxSpeed(std::size_t joint) const;
 
 private:
   void clamp(PerJoint<double>& values) const;
 
   const Robot& robot_;
-  PerJoint<std::optional<std::size_t>> drawn_; // the joint's index in the drawing; absent: hands
+  PerJoint<std::optional<std::size_t>> drawn_; // index in the drawing; absent: hands
 };
 
-/// raw = desired + offsets: what to send so that the joints come to `desired`. Both are kept within the limits: the
-/// joint's own stop counts its angle, the motor's controller what the encoder shows. Both hip yaw-pitches get one
-/// angle.
+/// raw = desired + offsets: motor command for `desired`. Clamps both: the mechanical stop limits the true angle, the
+/// motor controller the encoder reading. Both hip yaw-pitches get the same angle.
 RawAngles toMotorAngles(const CompensatedAngles& desired, const JointOffsets& offsets, const JointLimits& limits);
 
 } // namespace naocal

@@ -6,7 +6,7 @@
 #include "motion/PosePlayer.hpp"
 #include "motion/SensorProvider.hpp"
 
-#include <nlohmann/json.hpp> // modules show their values
+#include <nlohmann/json.hpp> // to_json of the productions
 
 namespace naocal {
 

@@ -7,7 +7,7 @@
 
 namespace naocal {
 
-/// The motion thread's modules, for a robot and its drawing, which must outlive the thread, and so must `ending`.
+/// Adds the motion thread's modules. `robot`, `drawing` and `ending` must outlive the thread.
 void addMotionModules(Thread& motion, RobotInterface& robot, const Robot& drawing, ShutdownRequest& ending);
 
 } // namespace naocal

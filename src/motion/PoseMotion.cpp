@@ -6,9 +6,9 @@
 namespace naocal {
 namespace {
 
-constexpr double peakSpeed = 1.875; // of s(t), in units of the mean
-constexpr double handSeconds = 0.5; // for a hand's whole range
-constexpr double shortest = 0.1;    // [s]; a line is never a jump
+constexpr double peakSpeed = 1.875; // peak of ds/dt, in units of the mean speed
+constexpr double handSeconds = 0.5; // for the full range of a hand
+constexpr double shortest = 0.1;    // [s]; minimum duration of a segment
 
 double timeFor(const CompensatedAngles& from, const CompensatedAngles& to, const JointLimits& limits, double speed) {
   double time = shortest;

@@ -9,7 +9,7 @@
 namespace naocal {
 namespace {
 
-constexpr double longestSilence = 0.1; // [s]
+constexpr double longestSilence = 0.1; // [s]; after a longer gap between states, moved joints weaken the motors
 
 bool isTouched(const Touch& touch) {
   return touch.headFront || touch.headMiddle || touch.headRear || touch.leftFootLeft || touch.leftFootRight ||
@@ -100,7 +100,7 @@ std::string PosePlayer::unreachable(const PoseRequest& request) const {
   for (const CompensatedAngles& point : request.points) {
     const CompensatedAngles reachable = limits_.clamp(point);
     for (std::size_t joint = 0; joint < jointCount; ++joint) {
-      if (!(std::abs(point[joint] - reachable[joint]) < 1e-6)) { // also for what is no number
+      if (!(std::abs(point[joint] - reachable[joint]) < 1e-6)) { // also true for NaN
         return fmt::format("{} was refused: {} cannot take {:.1f} degrees there.", request.name, jointNames[joint],
                            degrees(point[joint]));
       }
@@ -217,7 +217,7 @@ void PosePlayer::advance() {
   PlayerState& state = state_.edit();
   DesiredPose& desired = desired_.edit();
   if (!isPlaying()) {
-    desired.angles = *angles_; // nothing pulls when the motors come on
+    desired.angles = *angles_; // no jump when the motors are switched on
     return;
   }
   if (stage_ == Stage::askingForHands && now_ >= handsUntil_) {

@@ -8,30 +8,30 @@
 
 namespace naocal {
 
-/// What the robot has reported last; `isNew` in the cycle in which it came.
+/// The last reported robot state; `isNew` in the cycle in which it arrived.
 struct SensorFrame {
   bool isNew = false;
   RobotState state;
-  double since = 0; // the state before [s]; 0 of the first
+  double since = 0; // the previous state [s]; 0 for the first
 
-  /// How far what moves may go on in this cycle [s]: silence is no reason to jump.
+  /// Time step for motions in this cycle [s], limited to 0.03 s: a gap in the states must not cause a jump.
   double step() const { return std::min(since, 0.03); }
 };
 void to_json(nlohmann::json& out, const SensorFrame& measured);
 
-/// How a robot fares, for people.
+/// Battery and temperature summary for display.
 struct Health {
   double battery = 0; // 0 empty .. 1 full
   bool charging = false;
-  std::string_view joint; // the hottest
-  double temperature = 0; // its [degC]
+  std::string_view joint; // hottest joint
+  double temperature = 0; // its temperature [degC]
 };
 Health summarizeHealth(const RobotState& state);
 void to_json(nlohmann::json& out, const Health& health);
 void to_json(nlohmann::json& out, const RobotStatus& link);
 
-/// Waits for the robot's next state: the motion thread's pace. Goes on without one after a tenth of a second, so that
-/// the thread can end and say what is wrong.
+/// Waits for the robot's next state and thereby paces the motion thread. Continues without a state after 100 ms, so
+/// that the thread can end and report problems.
 class SensorProvider final : public Module {
 public:
   explicit SensorProvider(RobotInterface& robot) : Module{"SensorProvider"}, robot_{robot} {}

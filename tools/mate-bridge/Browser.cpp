@@ -14,7 +14,7 @@ namespace naocal {
 
 namespace {
 
-/// Whether a program of this name lies on the PATH.
+/// Whether a program of this name is on the PATH.
 bool isInstalled(const std::string& program) {
   const char* const path = std::getenv("PATH");
   std::istringstream folders{path == nullptr ? "" : path};
@@ -26,7 +26,8 @@ bool isInstalled(const std::string& program) {
   return false;
 }
 
-/// Where a program reads files: one of Ubuntu's snaps sees of others' only its own folder.
+/// A folder that a program may read: the home of an Ubuntu snap, which has no access to other temporary files,
+/// otherwise the folder of temporary files.
 std::filesystem::path readableFor(std::string program) {
   const char* const home = std::getenv("HOME");
   program = program == "chromium-browser" ? "chromium" : program;
@@ -35,13 +36,13 @@ std::filesystem::path readableFor(std::string program) {
   return std::filesystem::is_directory(snap, ignored) ? snap : std::filesystem::temp_directory_path();
 }
 
-/// Starts a program that lives on without this one (forked twice, so that nobody must wait for it).
+/// Starts a detached program (double fork: no zombie to wait for).
 void start(const std::string& program, const std::string& argument) {
   const pid_t child = ::fork();
   if (child == 0) {
     if (::fork() == 0) {
       ::setsid();
-      ::close_range(STDERR_FILENO + 1, ~0U, 0); // sockets stay with the bridge
+      ::close_range(STDERR_FILENO + 1, ~0U, 0); // the child must not inherit sockets
       ::execlp(program.c_str(), program.c_str(), argument.c_str(), static_cast<char*>(nullptr));
     }
     ::_exit(0);

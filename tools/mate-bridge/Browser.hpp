@@ -7,9 +7,10 @@
 
 namespace naocal {
 
-/// Opens an address in a window of its own where a browser can do that, else in the person's browser. The address holds
-/// a secret, and what programs were started with is seen by all on this computer: the browser gets a page of a private
-/// folder, which leads there. nullptr: no browser was found. The folder is to stay until the browser has read it.
+/// Opens an address in an app window if the browser supports that, otherwise in the default browser. The address
+/// contains a secret, and command lines are readable by every user of this computer: the browser therefore gets a page
+/// in a private directory that redirects to it. nullptr if no browser was found. Keep the directory until the browser
+/// has read it.
 std::unique_ptr<TemporaryDirectory> openInBrowser(const std::string& address);
 
 } // namespace naocal

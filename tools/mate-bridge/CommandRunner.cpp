@@ -32,10 +32,11 @@ namespace naocal {
 
 namespace {
 
-/// Starts a program in a process group of its own, without a shell and with nothing that is open here; what it prints
-/// goes into the file `output`. Throws InputError when it cannot be started.
+/// Starts a program in its own process group, without a shell and without inherited descriptors; its output goes to
+/// `output`. Throws InputError if it cannot be started.
 pid_t startProcess(const std::filesystem::path& program, const std::vector<std::string>& words, int output) {
-  std::vector<char*> arguments{const_cast<char*>(program.c_str())}; // posix_spawn's type; it changes nothing
+  std::vector<char*> arguments{const_cast<char*>(program.c_str())}; // posix_spawn's type; it does not modify the
+                                                                    // strings
   for (const std::string& word : words) {
     arguments.push_back(const_cast<char*>(word.c_str()));
   }
@@ -45,10 +46,10 @@ pid_t startProcess(const std::filesystem::path& program, const std::vector<std::
   posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
   posix_spawn_file_actions_adddup2(&actions, output, STDOUT_FILENO);
   posix_spawn_file_actions_adddup2(&actions, output, STDERR_FILENO);
-  posix_spawn_file_actions_addclosefrom_np(&actions, STDERR_FILENO + 1); // sockets stay with the bridge
+  posix_spawn_file_actions_addclosefrom_np(&actions, STDERR_FILENO + 1); // the child must not inherit sockets
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
-  sigset_t none, all; // it can be ended, whoever started the bridge and how
+  sigset_t none, all; // default signal handling, whatever the bridge inherited
   sigemptyset(&none);
   sigfillset(&all);
   posix_spawnattr_setsigmask(&attributes, &none);
@@ -69,13 +70,13 @@ using Json = nlohmann::json;
 
 constexpr std::size_t mostLines = 300, longestLine = 500, mostWords = 64;
 
-/// Those that need no answers while they run.
+/// Commands that need no input while they run.
 const std::set<std::string> commands{"poses",   "simulate", "detect",   "solve", "compare",
                                      "effects", "diagnose", "evaluate", "report"};
 
 } // namespace
 
-/// Lives on while something is still to be read.
+/// A started command; keeps itself alive until its output is read.
 struct CommandRunner::Running : std::enable_shared_from_this<Running> {
   Running(boost::asio::io_context& given, std::optional<std::filesystem::path> path, MessageSink call)
       : program{std::move(path)}, tell{std::move(call)}, output{given}, soon{given} {}
@@ -123,7 +124,7 @@ struct CommandRunner::Running : std::enable_shared_from_this<Running> {
                            });
   }
 
-  /// A carriage return begins the line anew, as progress does.
+  /// A carriage return restarts the line, as in progress output.
   void add(std::string_view text) {
     for (const char letter : text) {
       if (letter == '\n') {
@@ -143,7 +144,7 @@ struct CommandRunner::Running : std::enable_shared_from_this<Running> {
         lines.pop_front();
       }
     }
-    if (!std::exchange(told, true)) { // at most five times a second
+    if (!std::exchange(told, true)) { // limits messages to five per second
       soon.expires_after(std::chrono::milliseconds{200});
       soon.async_wait([self = shared_from_this()](boost::system::error_code) { self->tellNow(); });
     }

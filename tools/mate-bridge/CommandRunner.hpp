@@ -10,25 +10,25 @@
 
 namespace naocal {
 
-/// The terminal's program `naocal`, run for a person who is at the panel: one command at a time, what it prints is told
-/// as it comes. It runs in the folder where the bridge was started, without a shell.
+/// Runs the terminal program `naocal` for the panel: one command at a time, in the bridge's working directory, without
+/// a shell; streams its output.
 class CommandRunner {
 public:
-  /// A message for all panels, in JSON: {"kind": "errand", "program" or null, "folder", "words", "lines": the last that
-  /// were printed, "running", "ending": whether a person asked for its end, "exitCode" or null}.
+  /// A message for all panels, in JSON: {"kind": "errand", "program" or null, "folder", "words", "lines": the last
+  /// lines of output, "running", "ending": whether an end was requested, "exitCode" or null}.
   using MessageSink = std::function<void(const std::string& json)>;
 
-  /// `program`: absent when this computer has none.
+  /// `program`: absent if `naocal` is not installed.
   CommandRunner(boost::asio::io_context& context, std::optional<std::filesystem::path> program, MessageSink tell);
-  /// Ends the command.
+  /// Sends SIGTERM to a running command.
   ~CommandRunner();
 
-  /// Starts a command: its name and options. Throws InputError for what cannot be run, or not now.
+  /// Starts a command: its name and options. Throws InputError for an unknown command, or while another one runs.
   void run(const std::vector<std::string>& words);
-  /// Ends the command as Ctrl-C does: it may finish what it has begun; asked again, it ends at once.
+  /// Sends SIGINT, so that the command can finish its current work; the second call sends SIGTERM.
   void end();
 
-  /// What was told last, for a panel to come.
+  /// The last message, for a new panel.
   std::string latest() const;
 
 private:
@@ -36,7 +36,7 @@ private:
   std::shared_ptr<Running> running_;
 };
 
-/// Where `naocal` is: beside this program, as it is built or installed, or where the shell would find it.
+/// Looks for `naocal` beside this program (installed or build tree), then on the PATH.
 std::optional<std::filesystem::path> findNaocal();
 
 } // namespace naocal

@@ -53,7 +53,7 @@ struct Panel::Implementation {
     const Json hello{{"kind", "hello"},
                      {"laboratory", analysis.worker() != nullptr},
                      {"robots", robots.addresses()},
-                     {"joints", jointNames}}; // the order in which robots send one number per joint
+                     {"joints", jointNames}}; // order of per-joint lists in robots' messages
     return makeMessage(jsonText(hello));
   }
 
@@ -76,7 +76,7 @@ struct Panel::Implementation {
 
   HttpReply fileThere(std::string_view path) const {
     const AnalysisWorker* const worker = analysis.worker();
-    path = path.substr(0, path.find('?')); // behind it stands only what keeps the browser from an older picture
+    path = path.substr(0, path.find('?')); // the query only prevents caching
     constexpr std::string_view pictures = "picture/";
     if (path.starts_with(pictures)) {
       auto picture = worker ? worker->picture(decodePercents(path.substr(pictures.size()))) : std::nullopt;
@@ -130,7 +130,7 @@ struct Panel::Implementation {
     refuse(panel, problem);
   }
 
-  /// What a panel asks for: {"do": verb, ..}.
+  /// A panel's request: {"do": verb, ..}.
   struct Request {
     Implementation& bridge;
     std::size_t panel;
@@ -142,7 +142,7 @@ struct Panel::Implementation {
     [[noreturn]] void refuseVerb() const {
       throw InputError{fmt::format("the bridge does not know how to do \"{}\"", verb())};
     }
-    /// Throws InputError where no captures are open.
+    /// Throws InputError if no captures are open.
     AnalysisWorker& worker() const {
       AnalysisWorker* const worker = bridge.analysis.worker();
       if (!worker) {
@@ -150,12 +150,12 @@ struct Panel::Implementation {
       }
       return *worker;
     }
-    /// Throws InputError where that robot is not connected to.
+    /// Throws InputError if the robot is not connected.
     WatchedRobot& robot() const { return bridge.robots.at(at("robot"), verb()); }
-    /// nullptr: the robot has gone, and what was watched of it.
+    /// nullptr if the robot is not connected any more.
     WatchedRobot* robotIfThere() const { return bridge.robots.find(at("robot")); }
 
-    /// To this panel, under the request's number.
+    /// Replies to this panel, with the request's number.
     void answer(const char* kind, Json content) const {
       content["kind"] = kind;
       content["number"] = at("number");
@@ -176,12 +176,12 @@ struct Panel::Implementation {
       }
     }
     void disconnect() const {
-      robot(); // else there is none to disconnect
+      robot(); // throws if there is none
       bridge.robots.disconnect(at("robot"));
     }
   };
 
-  /// Everything that a panel can ask for, by its verb.
+  /// All requests of a panel, by verb.
   using Handlers = std::map<std::string_view, void (*)(const Request& request)>;
   static const Handlers& handlers() {
     static const Handlers all{
@@ -216,7 +216,7 @@ struct Panel::Implementation {
     return all;
   }
 
-  /// How a robot would stand at angles, by joint or in HULKs' order [rad]; empty where they are none.
+  /// Outline of the robot at joint angles [rad], given by name or in HULKs' order; empty if they are invalid.
   Json stood(const Json& given) const {
     const auto angles = given.is_array() ? parseOrderedAngles(given, drawing) : parseNamedAngles(given, drawing);
     return angles ? RobotOutline{drawing, *angles}.toJson({}) : Json::object();

@@ -12,22 +12,22 @@
 namespace naocal {
 
 struct PanelOptions {
-  std::optional<Dataset> opened;   // what to analyse
-  std::vector<std::string> robots; // addresses
-  std::uint16_t port = 0;          // on 127.0.0.1; 0: any that is free
+  std::optional<Dataset> opened;   // initial dataset; absent: none
+  std::vector<std::string> robots; // initial robots: addresses
+  std::uint16_t port = 0;          // on 127.0.0.1; 0: any free one
 };
 
-/// The whole bridge: server, analysis of captures, robots. Runs until `stop`.
+/// The complete bridge: server, analysis of captures, robots. Runs until `stop`.
 class Panel {
 public:
   explicit Panel(PanelOptions options);
   ~Panel();
 
-  /// What a person opens; holds the token.
+  /// URL of the panel, including the token.
   std::string address() const;
 
   void run();
-  /// From any thread.
+  /// Thread-safe.
   void stop();
 
 private:

@@ -13,7 +13,7 @@
 
 namespace {
 
-/// The port of "127.0.0.1:PORT". Throws InputError: the panel never listens wider than this computer.
+/// The port of "127.0.0.1:PORT". Throws InputError for other addresses: the panel must not listen beyond this computer.
 std::uint16_t portOf(const std::string& address) {
   constexpr std::string_view here = "127.0.0.1:";
   std::uint16_t port = 0;

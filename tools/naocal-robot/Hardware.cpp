@@ -21,7 +21,7 @@ SimulatedPlan simulatedPlan(std::uint64_t seed, const std::filesystem::path& con
     for (Board& board : plan.boards) {
       if (board.id == id) {
         board.placement = placement;
-        board.placement->y += halfFootDistance; // seen from the left sole
+        board.placement->y += halfFootDistance; // pose file: relative to the left sole
       }
     }
   }

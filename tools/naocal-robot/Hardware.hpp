@@ -12,26 +12,26 @@
 
 namespace naocal {
 
-/// A robot behind its two interfaces.
+/// A robot: its drawing and its two interfaces.
 struct Hardware {
   Robot drawing;
   std::unique_ptr<RobotInterface> robot;
   std::unique_ptr<CameraInterface> cameras;
-  std::string location; // of its configuration, where sdk.json's does not suit it; empty: as sdk.json says
+  std::string location; // of its configuration, if sdk.json's does not fit; empty: as in sdk.json
   std::shared_ptr<const ReplayWorld> replay = nullptr;
 };
 
-/// A simulated robot that stands before four boards, which lie where its model's poses want them, with offsets and
-/// mounts drawn by the seed. `configuration`: the folder with drawings and poses, here and below.
+/// A simulated robot in front of four boards, placed as its model's pose file assumes; offsets and mounts are drawn by
+/// the seed. `configuration`: the folder with drawings and poses, here and below.
 SimulatedPlan simulatedPlan(std::uint64_t seed, const std::filesystem::path& configuration = configurationDirectory());
 Hardware simulatedHardware(const SimulatedPlan& plan, const std::filesystem::path& configuration);
 
-/// A recorded round of a calibration, with the latency between picture and joints that the configuration says. Throws
-/// InputError or ConfigurationError.
+/// A recorded calibration round, with the latency between image and joints from the configuration. Throws InputError or
+/// ConfigurationError.
 Hardware replayedHardware(const std::filesystem::path& round, const std::filesystem::path& configuration);
 
-/// The NAO that this process runs on: V6 through its hardware service, V5 through the module in NAOqi; both cameras
-/// through V4L2. Neither needs to answer yet. Throws std::invalid_argument for other models.
+/// The NAO that runs this process: V6 through its hardware service, V5 through the NAOqi module; both cameras through
+/// V4L2. Neither needs to respond yet. Throws std::invalid_argument for other models.
 Hardware naoHardware(const std::string& model, const std::filesystem::path& configuration);
 
 } // namespace naocal

@@ -11,9 +11,9 @@
 namespace naocal {
 namespace {
 
-constexpr int motionPriority = 30; // below the firmware's own threads, above everything ordinary
+constexpr int motionPriority = 30; // below the firmware's threads, above all ordinary ones
 
-/// The robot's names, at the location that is asked for or that sdk.json says.
+/// The robot's names, with the location from the options or sdk.json.
 RobotNames namesOf(const RobotIdentity& identity, const RobotProcessOptions& options) {
   RobotNames names = findRobotNames(options.configuration, identity.headId, identity.bodyId);
   names.location = options.location;
@@ -50,7 +50,8 @@ RobotProcess::RobotProcess(RobotInterface& robot, CameraInterface& cameras, cons
   const RobotNames names = namesOf(identity, options);
   configuration_.publish("tuhhSDK.base", "NaoInfo.headName", names.head);
   configuration_.publish("tuhhSDK.base", "NaoInfo.bodyName", names.body);
-  configuration_.publish("tuhhSDK.base", "NaoInfo.headId", identity.headId); // HULKs' robots tell no ids
+  // extension: HULKs' robots do not publish ids
+  configuration_.publish("tuhhSDK.base", "NaoInfo.headId", identity.headId);
   configuration_.publish("tuhhSDK.base", "NaoInfo.bodyId", identity.bodyId);
   configuration_.publish("tuhhSDK.base", "location", names.location);
   for (Thread* thread : {&motion_, &brain_}) {

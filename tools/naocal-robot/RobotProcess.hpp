@@ -19,21 +19,21 @@
 
 namespace naocal {
 
-/// What the process is made of and where its files are.
+/// Configuration, output folders and sockets of the process.
 struct RobotProcessOptions {
-  std::filesystem::path configuration; // home/configuration; only read where `state` is another folder
+  std::filesystem::path configuration; // home/configuration; read-only if `state` is another folder
   std::filesystem::path recordings;
-  std::string location;                                 // empty: as sdk.json says
-  std::optional<SocketSettings> sockets;                // absent: as sdk.json and access.json say
-  bool realTime = true;                                 // ask the system to prefer the motion thread
-  const ReplayWorld* replay = nullptr;                  // whose captures are to be taken anew, into `recordings`
-  std::optional<std::uint16_t> basePort = std::nullopt; // instead of sdk.json's: debug one above, configuration two
-  bool onlyHere = false;                                // listen on this computer only, whatever access.json says
-  std::filesystem::path state = {}; // where what the robot learns is saved; empty: into the configuration itself
+  std::string location;                                 // empty: as in sdk.json
+  std::optional<SocketSettings> sockets;                // absent: as in sdk.json and access.json
+  bool realTime = true;                                 // request real-time priority for the motion thread
+  const ReplayWorld* replay = nullptr;                  // recording to calibrate again, into `recordings`
+  std::optional<std::uint16_t> basePort = std::nullopt; // overrides sdk.json: debug one above, configuration two
+  bool onlyHere = false;                                // listen on this computer only, overrides access.json
+  std::filesystem::path state = {};                     // folder of saved settings; empty: the configuration itself
 };
 
-/// Both threads of the robot, wired and configured, with their sockets. Making it throws WiringError,
-/// ConfigurationError or InputError with one sentence; nothing moves yet.
+/// The robot's two threads, wired and configured, with their sockets. The constructor moves nothing; it throws
+/// WiringError, ConfigurationError or InputError with one sentence.
 class RobotProcess {
 public:
   /// `robot`, `cameras` and `drawing` must outlive it.
@@ -41,16 +41,15 @@ public:
                const RobotProcessOptions& options, Log log);
   ~RobotProcess(); // stops
 
-  /// Runs both threads until `stop`. `failed` is called by a thread that ends by itself: something threw, or a replay
-  /// is over (with an empty sentence).
+  /// Runs both threads until `stop`. A thread that ends by itself calls `failed`: after an exception, or at the end of
+  /// a replay (empty sentence).
   void start(std::function<void(std::string_view sentence)> failed);
   void stop();
 
-  /// Has the robot go to its stand from wherever it is, while the motion thread runs. False where it has not come there
-  /// in time, or cannot.
+  /// Moves the robot to its stand while the motion thread runs. False if it does not arrive within `most`.
   bool goToStand(std::chrono::milliseconds most);
 
-  /// Of a replay; nullptr where nothing is replayed.
+  /// nullptr without a replay.
   ReplayedCalibration* replayed() { return replayed_; }
 
   SocketServers& sockets() { return *sockets_; }
@@ -73,7 +72,7 @@ private:
   std::optional<SocketServers> sockets_;
   std::function<void(std::string_view)> failed_;
   std::atomic<bool> moves_{false};          // the motion thread runs
-  std::jthread motionThread_, brainThread_; // last: they use the others
+  std::jthread motionThread_, brainThread_; // last: they use the members above
 };
 
 } // namespace naocal

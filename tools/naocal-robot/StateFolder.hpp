@@ -4,9 +4,8 @@
 
 namespace naocal {
 
-/// Where this user's robots keep what they learn, unless told otherwise: $XDG_STATE_HOME/naocal, ~/.local/state/naocal
-/// without it (XDG Base Directory Specification: a relative path there is ignored). Throws InputError where neither is
-/// known.
+/// Default folder of saved settings of this user's robots: $XDG_STATE_HOME/naocal, otherwise ~/.local/state/naocal (XDG
+/// Base Directory Specification: relative paths are ignored). Throws InputError if neither variable is set.
 std::filesystem::path stateFolder();
 
 } // namespace naocal

@@ -9,7 +9,7 @@
 #include <csignal>
 #include <fmt/format.h>
 #include <iostream>
-#include <nlohmann/json.hpp> // modules show their values
+#include <nlohmann/json.hpp> // to_json of the productions
 
 namespace naocal {
 namespace {
@@ -21,17 +21,17 @@ struct Options {
   RobotProcessOptions process{configurationDirectory(), "recordings", "", std::nullopt, true};
 };
 
-/// Writes a sentence on standard error, whole.
+/// Writes a sentence to standard error in one piece.
 void say(std::string_view sentence) {
   std::clog << fmt::format("{}\n", sentence) << std::flush;
 }
 
-/// The round of a recording that calibrated; a set by itself is its own round.
+/// The calibration round of a recording; a single set is its own round.
 std::filesystem::path roundOf(const std::filesystem::path& recording) {
   return std::filesystem::exists(recording / "first") ? recording / "first" : recording;
 }
 
-/// Replays with the configuration that was recorded, into a recording of its own.
+/// Replays with the recorded configuration, into a new recording.
 Hardware replay(Options& options) {
   if (options.recording.empty()) {
     throw InputError{"--hardware replay: expected what to replay, such as --recording recordings/2026-01-31_12-00-00"};
@@ -46,9 +46,9 @@ Hardware replay(Options& options) {
     folder = options.process.recordings / fmt::format("{}-{}", name, again);
   }
   options.process.recordings = folder;
-  options.process.state = folder / "state"; // what other robots have learned here does not belong to a recording
+  options.process.state = folder / "state"; // other robots' saved settings do not apply to a recording
   options.process.replay = hardware.replay.get();
-  options.process.onlyHere = true; // the configuration is the robot's, this computer is not
+  options.process.onlyHere = true; // access.json is the robot's and must not open this computer
   return hardware;
 }
 
@@ -65,11 +65,11 @@ Hardware hardwareOf(Options& options) {
 }
 
 int run(Options options) {
-  sigset_t ends; // blocked in all threads, waited for here
+  sigset_t ends; // blocked in all threads; sigwait below
   ::sigemptyset(&ends);
   ::sigaddset(&ends, SIGINT);
   ::sigaddset(&ends, SIGTERM);
-  ::sigaddset(&ends, SIGHUP); // the terminal is gone
+  ::sigaddset(&ends, SIGHUP); // terminal closed
   ::pthread_sigmask(SIG_BLOCK, &ends, nullptr);
   const Hardware hardware = hardwareOf(options);
   const auto identity = hardware.robot->waitForIdentity(std::chrono::seconds{10});
@@ -95,7 +95,7 @@ int run(Options options) {
                   process.sockets().addressText()));
   int signal = 0;
   ::sigwait(&ends, &signal);
-  const bool isOver = ended && !failed; // a replay
+  const bool isOver = ended && !failed; // end of a replay
   if (!isOver && !process.goToStand(std::chrono::seconds{60})) {
     say("The robot has not come to its stand: look after it.");
   }

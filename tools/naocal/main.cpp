@@ -13,7 +13,7 @@
 
 namespace {
 
-/// Throws InputError where the first word is no command.
+/// Throws InputError if the first word is no command.
 void requireCommand(const CLI::App& app, const std::string& word) {
   std::vector<std::string> names;
   for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
@@ -55,7 +55,7 @@ int main(int argc, char** argv) {
     if (error.get_exit_code() == 0) {
       return app.exit(error); // --help, --version
     }
-    std::string command = "naocal"; // whose help tells more
+    std::string command = "naocal"; // the command whose help is suggested
     for (const CLI::App* at = &app; !at->get_subcommands().empty();) {
       at = at->get_subcommands().front();
       command += " " + at->get_name();

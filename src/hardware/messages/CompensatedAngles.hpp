@@ -6,7 +6,7 @@
 
 namespace naocal {
 
-/// Angles of the joints themselves, offsets taken out [rad]; hands [1]. What perception and planning use.
+/// True joint angles, without offsets [rad]; hands [1]. Used by perception and planning.
 struct CompensatedAngles {
   PerJoint<double> values{};
 
@@ -19,7 +19,7 @@ RawAngles interpolate(const RawAngles& from, const RawAngles& to, double fractio
 void to_json(nlohmann::json& out, const CompensatedAngles& angles);
 void to_json(nlohmann::json& out, const RawAngles& angles);
 
-/// Makes the right hip yaw-pitch what the left one is: one motor drives both.
+/// Copies the left hip yaw-pitch to the right one: one motor drives both.
 template <class Angles> void coupleHipYawPitch(Angles& angles) {
   constexpr std::size_t left = *jointIndex("LHipYawPitch"), right = *jointIndex("RHipYawPitch");
   angles.values[right] = angles.values[left];

@@ -10,42 +10,42 @@
 
 namespace naocal {
 
-/// What the brain asks the pose player to do. A newer request replaces an older one; each has a larger number.
+/// A command of the brain to the pose player. A newer request replaces an older one; numbers increase.
 struct PoseRequest {
   enum class Kind {
-    go,   // through `points`, and stay at the last one
-    home, // back to the stand the way it came
-    wait, // stay for a person's answer: the chest button gives it, instead of sending the robot home
+    go,   // through `points`, stay at the last one
+    home, // back to the stand along the path it came
+    wait, // stay; a chest button press is the operator's answer and does not send the robot home
     rest, // motors off
   };
   std::uint64_t number = 0;
   Kind kind = Kind::home;
-  std::string name;                      // of the pose, for people
-  std::vector<CompensatedAngles> points; // checked by who asks: the robot stands all along the lines between them [rad]
-  bool held = false;                     // a person was asked to hold the robot, until the next but a `wait`
+  std::string name;                      // name of the pose, for display
+  std::vector<CompensatedAngles> points; // waypoints [rad]; the caller guarantees balance along each segment
+  bool held = false;                     // a person holds the robot until the next request other than `wait`
 };
 
-/// How the pose player fares.
+/// State of the pose player.
 struct PlayerState {
   enum class Phase {
     off,     // motors off
-    moving,  // towards a request's last point, or home
-    holding, // still at a point or where it was stopped
+    moving,  // to a request's last point, or home
+    holding, // at rest, at a point or where it was stopped
     fallen,  // motors weak
   };
   Phase phase = Phase::off;
-  std::uint64_t request = 0; // the last one that was looked at
-  bool held = false;         // a person holds the robot, or is to take hold of it now
-  bool needsHands = false;   // it was held on the way from its stand: it is on one foot, or on its way back
-  bool done = false;         // that request came to its end
-  TimePoint doneAt;          // when it did
+  std::uint64_t request = 0; // number of the last request handled
+  bool held = false;         // a person holds the robot, or is asked to
+  bool needsHands = false;   // held on its way out: on one foot, or on its way back
+  bool done = false;         // the request is complete
+  TimePoint doneAt;          // time of completion
   bool atHome = false;       // holding the stand
-  CompensatedAngles home;    // that stand [rad]
-  double progress = 0;       // 0..1 of the present motion
-  double secondsLeft = 0;    // of it [s]
-  std::string reason;        // one sentence: why it refused, stopped or waits; empty otherwise
-  std::uint64_t presses =
-      0; // of the chest button that did not send the robot home: it is there, waits for an answer, or motors are off
+  CompensatedAngles home;    // the stand [rad]
+  double progress = 0;       // 0..1 of the current motion
+  double secondsLeft = 0;    // of the current motion [s]
+  std::string reason;        // one sentence: reason of a refusal, stop or wait; empty otherwise
+  std::uint64_t presses = 0; // chest button presses that did not send the robot home: it was there, waited for an
+                             // answer, or motors were off
 };
 void to_json(nlohmann::json& out, const PlayerState& state);
 

@@ -13,7 +13,7 @@
 namespace naocal {
 namespace {
 
-/// All red, then all green, then all blue.
+/// All red values, then all green, then all blue.
 template <std::size_t Count> std::array<float, 3 * Count> byColour(const std::array<Rgb, Count>& lights) {
   std::array<float, 3 * Count> result;
   for (std::size_t i = 0; i < Count; ++i) {
@@ -24,7 +24,7 @@ template <std::size_t Count> std::array<float, 3 * Count> byColour(const std::ar
   return result;
 }
 
-/// In LoLA's order, to single precision, as the wire has them.
+/// In LoLA's joint order and in single precision, as on the wire.
 std::array<float, 25> byLola(const PerJoint<double>& values) {
   std::array<float, 25> result;
   for (std::size_t i = 0; i < result.size(); ++i) {
@@ -33,10 +33,10 @@ std::array<float, 25> byLola(const PerJoint<double>& values) {
   return result;
 }
 
-/// The lists of numbers in a state, in LoLA's units, which are ours.
+/// The number lists of a state, in LoLA's units, which equal ours.
 struct LolaList {
   std::string_view name;
-  std::size_t first, count; // places in the numbers of a state
+  std::size_t first, count; // range in LolaNumbers
 };
 constexpr std::array<LolaList, 12> lolaLists{{{"Accelerometer", 0, 3},
                                               {"Angles", 3, 2},
@@ -52,7 +52,7 @@ constexpr std::array<LolaList, 12> lolaLists{{{"Accelerometer", 0, 3},
                                               {"Status", 136, 25}}};
 using LolaNumbers = std::array<double, 161>;
 
-/// Takes a message apart as nlohmann's parser walks through it, without a document in between.
+/// Event handler (SAX) that parses a state message without building a document.
 class LolaSax : public nlohmann::json_sax<nlohmann::json> {
 public:
   bool null() override { return refuse("nothing (nil)"); }
@@ -101,7 +101,7 @@ public:
     return false;
   }
 
-  /// Everything was there.
+  /// Whether every list was present.
   bool complete() {
     if (!seen_.all()) {
       reason = fmt::format("it has {} of {} lists", seen_.count(), seen_.size());
@@ -129,8 +129,8 @@ private:
   }
 
   int depth_ = 0;
-  std::size_t current_ = configName; // list
-  std::size_t count_ = 0;            // of its entries
+  std::size_t current_ = configName; // index of the current list
+  std::size_t count_ = 0;            // entries read so far
   std::bitset<lolaLists.size() + 1> seen_;
 };
 
@@ -189,7 +189,7 @@ std::variant<LolaState, std::string> parseLolaState(std::span<const std::uint8_t
 }
 
 struct LolaCommandWriter::Document {
-  nlohmann::json root; // sorted keys are LoLA's order
+  nlohmann::json root; // sorted keys match LoLA's order
 
   template <std::size_t Count> void set(const char* key, const std::array<float, Count>& numbers) {
     nlohmann::json& list = root[key];
@@ -198,7 +198,7 @@ struct LolaCommandWriter::Document {
       list.get_ref<nlohmann::json::array_t&>().resize(Count);
     }
     for (std::size_t i = 0; i < Count; ++i) {
-      list[i] = std::isfinite(numbers[i]) ? numbers[i] : 0.f; // a light's: joints were looked at
+      list[i] = std::isfinite(numbers[i]) ? numbers[i] : 0.f; // LED values only; joints were checked before
     }
   }
 };

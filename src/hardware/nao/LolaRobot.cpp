@@ -12,7 +12,7 @@ std::optional<LolaState> LolaRobot::waitForBoth(std::chrono::milliseconds timeou
     link_.lostStates += received->overtaken;
     std::variant<LolaState, std::string> read = parseLolaState(received->message);
     if (auto* state = std::get_if<LolaState>(&read)) {
-      if (!isFinite(state->state)) { // the stream is in step, though
+      if (!isFinite(state->state)) { // the stream itself is in step
         ++link_.lostStates;
         link_.problem = "the robot reports an angle, a tilt or a turning that is not a finite number";
         continue;

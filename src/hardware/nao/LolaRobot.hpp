@@ -5,8 +5,8 @@
 
 namespace naocal {
 
-/// A NAO V6: its hardware service LoLA sends a state every 12 ms through a UNIX socket and takes a command in return.
-/// States are stamped on arrival. The state that tells the identity is spent on it.
+/// Driver of a NAO V6: its hardware service LoLA sends a state every 12 ms through a UNIX socket and expects a command
+/// in reply. States are stamped on arrival. `waitForIdentity` consumes one state.
 class LolaRobot : public RobotInterface {
 public:
   explicit LolaRobot(std::filesystem::path socket = "/tmp/robocup");

@@ -15,9 +15,9 @@
 namespace naocal {
 namespace {
 
-constexpr std::chrono::milliseconds betweenAttempts{10}; // to connect
+constexpr std::chrono::milliseconds betweenAttempts{10}; // limits the connection rate
 
-int millisecondsUntil(TimePoint deadline) { // at least one more moment than is left, so that nobody spins
+int millisecondsUntil(TimePoint deadline) { // rounded up: prevents busy waiting
   const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - std::chrono::steady_clock::now());
   return int(std::clamp<std::int64_t>(left.count(), 0, 60'000));
 }
@@ -42,7 +42,7 @@ bool LolaStream::connectOnce() {
   if (now < nextAttempt_) {
     return false;
   }
-  nextAttempt_ = now + betweenAttempts; // whatever the other side does, nobody spins
+  nextAttempt_ = now + betweenAttempts; // limits the reconnect rate
   socket_ = socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
@@ -67,7 +67,7 @@ void LolaStream::reconnect(std::string reason) {
   problem_ = std::move(reason);
 }
 
-/// Reads all that is there; false when the connection is gone.
+/// Reads all available data; false if the connection is lost.
 bool LolaStream::drain() {
   received_.overtaken = 0;
   while (true) {

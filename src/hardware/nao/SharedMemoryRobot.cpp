@@ -21,7 +21,7 @@ namespace {
 static_assert(sizeof(shared::Block) == 8 * sizeof(shared::State) + 8 * sizeof(shared::Command) + 148,
               "the robot's side is built by another compiler");
 
-constexpr std::chrono::milliseconds silence{200}; // after which the block may be another one by now
+constexpr std::chrono::milliseconds silence{200}; // without new states for longer, the block is mapped again
 constexpr std::chrono::milliseconds betweenMappings{5};
 
 std::string text(const char (&characters)[shared::idLength]) {
@@ -38,7 +38,7 @@ template <typename List> Eigen::Vector3d vector(const List& numbers) {
   return {numbers[0], numbers[1], numbers[2]};
 }
 
-/// A state as this program has it.
+/// Converts a state from the shared block's format.
 RobotState fromShared(const shared::State& from) {
   RobotState state;
   const auto seconds = std::int64_t(std::uint64_t{from.secondsHigh} << 32 | from.secondsLow);
@@ -60,7 +60,7 @@ RobotState fromShared(const shared::State& from) {
   return state;
 }
 
-/// A command as the shared block has it.
+/// Converts a command to the shared block's format.
 shared::Command toShared(const RobotCommand& command) {
   shared::Command to{};
   for (std::size_t joint = 0; joint < jointCount; ++joint) {
@@ -147,13 +147,13 @@ std::optional<RobotState> SharedMemoryRobot::waitForState(std::chrono::milliseco
     const std::uint32_t number = shared::newest(block_->states, block_->stateCount, state);
     if (number == 0 || number == seen_) {
       if (now - lastSign_ > silence) {
-        block_.reset(); // a NAOqi that was started anew may have made another block
+        block_.reset(); // a restarted NAOqi may have created a new block
         wasLost_ = true;
         link_.problem = fmt::format("shared memory {}: NAOqi has not measured for 0.2 s", blockName_);
         continue;
       }
       const auto most = std::clamp<std::chrono::nanoseconds>(deadline - now, {}, silence);
-      const std::uint32_t seen = number == 0 ? 0 : seen_; // no state yet, of a NAOqi that was started anew
+      const std::uint32_t seen = number == 0 ? 0 : seen_; // no state yet: a restarted NAOqi
       shared::wait(block_->stateCount, seen, {0, long(most.count())});
       continue;
     }

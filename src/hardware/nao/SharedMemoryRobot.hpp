@@ -10,11 +10,11 @@ namespace shared {
 struct Block;
 }
 
-/// A NAO V5: a module within NAOqi (nao/naoqi/, built with the vendor's SDK) exchanges states and commands with this
-/// program through shared memory, every 10 ms. States are stamped by that module.
+/// Driver of a NAO V5: exchanges states and commands with a NAOqi module (nao/naoqi/, built with the vendor's SDK)
+/// through shared memory, every 10 ms. That module stamps the states.
 class SharedMemoryRobot : public RobotInterface {
 public:
-  /// `blockName` as for shm_open.
+  /// `blockName`: as for shm_open.
   explicit SharedMemoryRobot(std::string blockName = "/naocal");
   ~SharedMemoryRobot() override;
 
@@ -32,9 +32,9 @@ private:
 
   std::string blockName_;
   std::unique_ptr<shared::Block, Unmap> block_;
-  std::uint32_t seen_ = 0; // number of the last state
+  std::uint32_t seen_ = 0; // number of the last state received
   bool wasLost_ = false;   // since the last state
-  TimePoint lastSign_{};   // of life
+  TimePoint lastSign_{};   // time of the last state or mapping
   RobotStatus link_;
 };
 

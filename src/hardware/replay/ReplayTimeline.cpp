@@ -16,9 +16,9 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr Duration replayCycle = 12ms, leadIn = 1s, leadOut = 500ms; // before the first and after the last capture
-constexpr Duration transfer = 25ms; // from the middle of an exposure until its picture arrives
+constexpr Duration transfer = 25ms;                                  // from mid-exposure to an image's arrival
 
-/// A picture file, read when somebody looks at it.
+/// An image file, read on first access.
 class PictureFile : public ImageBytes {
 public:
   PictureFile(std::filesystem::path file, std::size_t size) : file_{std::move(file)}, size_{size} {}
@@ -27,7 +27,7 @@ public:
     std::call_once(read_, [this] {
       try {
         bytes_ = readImage(file_).pixels;
-      } catch (const InputError&) { // lost since the replay began
+      } catch (const InputError&) { // removed since the replay began
       }
     });
     return bytes_.size() == size_ ? std::span<const std::uint8_t>{bytes_} : std::span<const std::uint8_t>{};
@@ -40,7 +40,8 @@ private:
   mutable std::vector<std::uint8_t> bytes_;
 };
 
-/// The middles of all exposures in the set's own time, which begins not before the clock's; no two readings share one.
+/// Mid-exposure times, in the set's time, shifted by 1000 s if it starts near zero; different readings get different
+/// times.
 std::vector<TimePoint> middles(const CaptureSet& set, const std::vector<std::size_t>& order) {
   const double first = set.captures[order.front()].time.count();
   const Duration shift = first < 10 ? Duration{1000s} : Duration{};
@@ -102,7 +103,7 @@ ReplayTimeline buildTimeline(const CaptureSet& set, const std::filesystem::path&
     frame.time = middle[i] - latency;
     frame.sequence = sequences[std::size_t(frame.camera)]++;
     timeline.pictures.push_back({frame, middle[i] + transfer, i});
-    // The readings hold from halfway to the capture before until halfway to the next one.
+    // The readings hold from halfway to the previous capture until halfway to the next one.
     const bool isFirst = place == 0, isLast = place + 1 == order.size();
     const TimePoint from =
         isFirst ? middle[i] - leadIn : middle[order[place - 1]] + (middle[i] - middle[order[place - 1]]) / 2;

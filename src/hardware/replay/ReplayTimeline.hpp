@@ -7,28 +7,28 @@
 
 namespace naocal {
 
-/// A capture set as a robot would have lived through it: states every 12 ms, and one exactly in the middle of every
-/// exposure with exactly what was recorded. Between captures the robot rests in the one that is nearer in time, so it
-/// jumps halfway.
+/// Timeline of a replayed capture set: a state every 12 ms, plus one exactly at each mid-exposure with exactly the
+/// recorded readings. Between captures the state is that of the capture nearer in time, so it changes halfway in one
+/// step.
 struct ReplayTimeline {
   struct Moment {
     TimePoint time;
-    std::size_t capture; // whose readings hold
+    std::size_t capture; // index of the capture with the state's readings
   };
   struct Picture {
     CameraFrame frame;
-    TimePoint arrives; // after the exposure
+    TimePoint arrives; // arrival, after the exposure
     std::size_t capture;
   };
   std::vector<Moment> moments;   // ascending
   std::vector<Picture> pictures; // by arrival
 };
 
-/// `latency`: from a frame's stamp to the middle of its exposure. Pictures are read from `folder` when somebody looks
-/// at them. Throws InputError where a capture has no picture, or a camera is neither top nor bottom.
+/// `latency`: from a frame's stamp to its mid-exposure. Images are read lazily from `folder`. Throws InputError if a
+/// capture has no image, or a camera other than top or bottom.
 ReplayTimeline buildTimeline(const CaptureSet& set, const std::filesystem::path& folder, Duration latency);
 
-/// What the robot reported at a capture. Joints that the set does not have, or did not record, are 0.
+/// The robot state at a capture. Joints that the set lacks or did not record are 0.
 RobotState stateAtCapture(const CaptureSet& set, const Capture& capture, TimePoint time);
 
 } // namespace naocal

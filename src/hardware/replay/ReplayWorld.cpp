@@ -9,7 +9,7 @@
 
 namespace naocal {
 
-/// What both sides share; all that changes under `mutex`.
+/// State shared by both interfaces; `mutex` protects all mutable members.
 struct ReplayShared {
   ReplayShared(const std::filesystem::path& folder, const ReplayOptions& replayOptions)
       : options{replayOptions}, set{readCaptureSet(folder).set}, timeline{buildTimeline(set, folder,
@@ -22,16 +22,16 @@ struct ReplayShared {
   const ReplayTimeline timeline;
   std::mutex mutex;
   LockStep step;
-  std::size_t nextMoment = 0, nextPicture = 0; // not given yet; pictures before `arrived` may be
+  std::size_t nextMoment = 0, nextPicture = 0; // next ones to return; images before `arrived` are available
   std::size_t arrived = 0;
-  std::optional<TimePoint> began; // on the wall
+  std::optional<TimePoint> began; // wall time of the first state
   RobotStatus link;
   std::array<CameraStatus, 2> cameraLinks;
 };
 
 namespace {
 
-constexpr std::chrono::milliseconds pause{10}; // for loops that go on asking after the end
+constexpr std::chrono::milliseconds pause{10}; // limits the polling rate after the end
 
 class ReplayedRobot : public RobotInterface {
 public:
@@ -111,7 +111,7 @@ public:
     const CameraFrame& frame = shared.timeline.pictures[shared.nextPicture++].frame;
     ++shared.cameraLinks[std::size_t(frame.camera)].frames;
     if (shared.nextPicture == shared.timeline.pictures.size()) {
-      shared.step.use(false); // nothing more to wait for
+      shared.step.use(false); // no images left: stop waiting for this loop
     }
     return frame;
   }

@@ -12,25 +12,26 @@ struct Capture;
 struct CaptureSet;
 struct ReplayShared;
 
-/// How a recording is played.
+/// Replay options.
 struct ReplayOptions {
-  Duration latency = std::chrono::milliseconds{17}; // from a picture's stamp to the middle of its exposure, as the
-                                                    // program that sees the replay has it configured
-  bool realPace = false;                            // at the wall's pace instead of as fast as the program
+  Duration latency = std::chrono::milliseconds{17}; // from an image's stamp to its mid-exposure; must equal the
+                                                    // replaying program's setting
+  bool realPace = false;                            // in real time instead of as fast as the program runs
 };
 
-/// A capture set, such as a session's recording, as a robot behind the two interfaces: every picture with the readings
-/// that belong to it, to the last bit, in the order in which they were taken. Commands are heard by nobody.
+/// Replays a capture set, such as a session's recording, as a robot behind the two interfaces: every image with its
+/// recorded readings, bit for bit, in recorded order. Commands are ignored.
 class ReplayWorld {
 public:
-  /// `folder`: with captures.json and pictures. Throws InputError.
+  /// `folder`: contains captures.json and images. Throws InputError.
   explicit ReplayWorld(const std::filesystem::path& folder, const ReplayOptions& options = {});
 
-  /// Its two sides, each for one thread; they may outlive it. After the last capture both have `hasEnded()`.
+  /// The interfaces for the motion and the camera thread; they may outlive this object. After the last capture both
+  /// return `hasEnded()`.
   std::unique_ptr<RobotInterface> robot();
   std::unique_ptr<CameraInterface> cameras();
 
-  /// The set that is played, and the capture that a frame of it belongs to; nullptr for other frames.
+  /// The replayed set, and the capture that a frame belongs to; nullptr for unknown frames.
   const CaptureSet& set() const;
   const Capture* captureOf(const CameraFrame& frame) const;
 

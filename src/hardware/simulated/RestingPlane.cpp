@@ -9,7 +9,7 @@ namespace {
 
 using Triangle = std::array<std::size_t, 3>;
 
-/// Weights of the corners that make up the place (x, y) of the centre of mass; all are positive inside.
+/// Barycentric coordinates of the centre of mass (x, y); all positive inside the triangle.
 Eigen::Vector3d weights(const std::vector<Eigen::Vector3d>& points, const Triangle& triangle,
                         const Eigen::Vector3d& centre) {
   Eigen::Matrix3d corners;
@@ -31,10 +31,10 @@ Eigen::Vector3d plane(const std::vector<Eigen::Vector3d>& points, const Triangle
   return places.inverse() * heights;
 }
 
-/// The lower face under `centre`, z being up. The last three points are far away: a triangle that needs one of them
-/// does not carry.
+/// The lower face below `centre`, z up. The last three points are far-away sentinels: a solution that uses one of them
+/// is no support.
 std::optional<Triangle> lowerFace(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& centre) {
-  constexpr double below = 1e-9; // [m]
+  constexpr double below = 1e-9; // [m]; smaller penetrations are ignored
   Triangle triangle{points.size() - 3, points.size() - 2, points.size() - 1};
   for (int exchange = 0; exchange < 200; ++exchange) {
     const Eigen::Vector3d floor = plane(points, triangle);
@@ -50,7 +50,7 @@ std::optional<Triangle> lowerFace(const std::vector<Eigen::Vector3d>& points, co
     if (depth > -below) {
       break;
     }
-    // The corner that gives way to the lowest point: the triangle that is left has the centre inside.
+    // The exchanged corner: the remaining triangle contains the centre.
     double best = -1;
     Triangle next = triangle;
     for (std::size_t corner = 0; corner < 3; ++corner) {
@@ -106,7 +106,7 @@ std::optional<RestingPlane> findRestingPlane(const std::vector<Eigen::Vector3d>&
       return resting;
     }
   }
-  return std::nullopt; // it rocks from edge to edge: on its way over
+  return std::nullopt; // does not converge: tipping over
 }
 
 } // namespace naocal

@@ -10,7 +10,7 @@ Servo::Servo(const Joint& joint, double play, const ServoMechanics& mechanics, d
       mechanics_{mechanics}, motor_{motorAngle}, target_{motorAngle} {}
 
 void Servo::command(double motorTarget, double stiffness) {
-  target_ = std::clamp(motorTarget, limits_.lower, limits_.upper); // the end stops
+  target_ = std::clamp(motorTarget, limits_.lower, limits_.upper); // mechanical stops
   stiffness_ = std::clamp(stiffness, 0.0, 1.0);
 }
 
@@ -39,7 +39,7 @@ void Servo::advance(Seconds step, double torque, RandomStream& chance) {
 }
 
 void Servo::movePlay(Seconds step, double torque, double turned) {
-  gap_ -= turned; // the joint stays behind
+  gap_ -= turned; // the joint lags behind
   if (std::abs(torque) > mechanics_.gearFriction) {
     gap_ += std::copysign(play_ * (step / mechanics_.throughPlay) + std::abs(turned), torque);
   }

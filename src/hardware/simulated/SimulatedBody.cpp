@@ -8,7 +8,7 @@
 namespace naocal {
 namespace {
 
-constexpr double mostTilt = radians(25); // against the floor, before it counts as falling
+constexpr double mostTilt = radians(25); // relative to the floor; beyond it the robot falls
 
 } // namespace
 
@@ -21,13 +21,13 @@ SimulatedBody::SimulatedBody(const Robot& drawing, const SimulatedPlan& plan, co
     servos_.emplace_back(drawing.joints[joint], errors.play[joint], plan.servos, angle - offsets_[eigenIndex(joint)]);
   }
   temperatures_ = Eigen::VectorXd::Constant(eigenIndex(servos_.size()), plan.mechanics.ambientTemperature);
-  torquesAt_ = Eigen::VectorXd::Constant(eigenIndex(servos_.size()), 1e3); // computed anew
+  torquesAt_ = Eigen::VectorXd::Constant(eigenIndex(servos_.size()), 1e3); // forces computation in the first step
   putDown();
   stand_ = {0, anchored_ == SupportFoot::right ? -halfFootDistance : halfFootDistance, 0};
   settle(Seconds{0});
 }
 
-/// Somebody has put the robot onto the sole that lies flatter on the floor so; the left one, where both do alike.
+/// Places the robot on the sole that needs the smaller tilt to lie flat; on the left one if equal.
 void SimulatedBody::putDown() {
   const std::vector<Eigen::Isometry3d> torsoFromLink = body_.forwardKinematics(trueAngles());
   const Contact contact = contactOf(torsoFromLink);
@@ -47,7 +47,7 @@ void SimulatedBody::putDown() {
   worldFromTorso_.linear() = torsoFromLink[soleLink(anchored_)].linear().transpose();
 }
 
-/// Where the robot can touch the floor, left sole first, in the torso's frame.
+/// Contact points of the soles in the torso's frame, left sole first, and the centre of mass.
 SimulatedBody::Contact SimulatedBody::contactOf(const std::vector<Eigen::Isometry3d>& torsoFromLink) const {
   Contact contact{{}, body_.centreOfMass(torsoFromLink)};
   for (const char* side : {"left", "right"}) {
@@ -105,13 +105,13 @@ void SimulatedBody::advance(Seconds step) {
 }
 
 void SimulatedBody::turnMotors(Seconds step) {
-  constexpr double still = radians(0.02); // no angle changes a torque by more than a thousandth of it
+  constexpr double still = radians(0.02); // changes torques by less than 0.1 %
   const Eigen::VectorXd now = trueAngles();
   if ((now - torquesAt_).cwiseAbs().maxCoeff() > still) {
     torques_ = robot_.gravityTorques(now, support_);
     torquesAt_ = now;
   }
-  constexpr int parts = 2; // of a step: shorter than the motors' lag
+  constexpr int parts = 2; // substeps, shorter than the motors' lag
   for (int part = 0; part < parts; ++part) {
     for (std::size_t joint = 0; joint < servos_.size(); ++joint) {
       if (drawing_.joints[joint].motor == joint) {
@@ -121,7 +121,7 @@ void SimulatedBody::turnMotors(Seconds step) {
   }
 }
 
-/// The sole keeps its place on the floor.
+/// Fixes the pose of the support sole on the floor.
 void SimulatedBody::anchor(SupportFoot foot, const Eigen::Isometry3d& torsoFromSole) {
   anchored_ = foot;
   const Eigen::Isometry3d worldFromSole = worldFromTorso_ * torsoFromSole;
@@ -129,10 +129,10 @@ void SimulatedBody::anchor(SupportFoot foot, const Eigen::Isometry3d& torsoFromS
             std::atan2(worldFromSole(1, 0), worldFromSole(0, 0))};
 }
 
-/// Somebody holds the robot so that the sole that is lower lies flat.
+/// The floor while a person holds the robot with its lower sole flat on it.
 RestingPlane SimulatedBody::held(const std::vector<Eigen::Vector3d>& points,
                                  const Eigen::Isometry3d* torsoFromSole) const {
-  constexpr double clearly = 0.01; // [m]
+  constexpr double clearly = 0.01; // [m]; hysteresis of the choice of sole
   const auto heightOf = [&](bool right) { return (worldFromTorso_ * torsoFromSole[right].translation()).z(); };
   const bool wasRight = anchored_ == SupportFoot::right;
   const bool right = heightOf(!wasRight) < heightOf(wasRight) - clearly ? !wasRight : wasRight;
@@ -183,7 +183,7 @@ void SimulatedBody::settle(Seconds step) {
   worldFromTorso_.translation() = Eigen::Vector3d{stand_.x - there.x(), stand_.y - there.y(), -resting->height};
 }
 
-/// Like a pole about its foot, from 1 degree on: d2 angle = 3 g / 2 l sin(angle), l = 0.5 m.
+/// Inverted pendulum about the foot, starting at 1 degree: d2 angle = 3 g / 2 l sin(angle), l = 0.5 m.
 void SimulatedBody::fall(Seconds step) {
   constexpr double poleRate = 5.4, lying = radians(88); // [1/s]
   const double next = std::min(lying, fall_->angle * std::exp(poleRate * step.count()));
@@ -219,7 +219,7 @@ void SimulatedBody::measure(RobotState& state) {
     state.angles[jointOfHardware_[joint]] = shown[eigenIndex(joint)];
     state.current[jointOfHardware_[joint]] = currents[eigenIndex(joint)];
     state.temperature[jointOfHardware_[joint]] =
-        std::round(temperatures_[eigenIndex(joint)]); // whole degrees, as NAO's are
+        std::round(temperatures_[eigenIndex(joint)]); // integer degrees, as on the NAO
   }
   state.stiffness = stiffness_;
   if (!fall_) {
@@ -227,7 +227,7 @@ void SimulatedBody::measure(RobotState& state) {
   }
   const Eigen::Matrix3d& torso = worldFromTorso_.linear();
   state.torsoAngles = robot_.readImu(torso, sensors_);
-  state.accelerometer = torso.transpose() * Eigen::Vector3d{0, 0, 9.81}; // what holds it against gravity
+  state.accelerometer = torso.transpose() * Eigen::Vector3d{0, 0, 9.81}; // specific force
   state.gyroscope = turnRate_;
   for (int axis = 0; axis < 3; ++axis) {
     state.accelerometer[axis] += sensors_.normal(0.05);

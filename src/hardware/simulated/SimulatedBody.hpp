@@ -10,8 +10,8 @@
 
 namespace naocal {
 
-/// The mechanics of a simulated robot on a flat floor: servos, gravity, which sole carries, whether it falls.
-/// Quasi-static: swings and impacts are not simulated. Somebody beside it holds it as long as its eyes ask for that.
+/// Mechanics of a simulated robot on a flat floor: servos, gravity, support foot, falling. Quasi-static: no
+/// oscillations, no impacts. A simulated person holds the robot while its eyes are `holdMeColour`.
 class SimulatedBody {
 public:
   SimulatedBody(const Robot& drawing, const SimulatedPlan& plan, const SimulatedErrors& errors);
@@ -19,10 +19,10 @@ public:
   void command(const RobotCommand& command);
   void advance(Seconds step);
 
-  /// What sensors report now, but for the time, touch and battery.
+  /// Simulates all sensors except time, touch and battery.
   void measure(RobotState& state);
 
-  /// Of all joints of the drawing, as they really are [rad].
+  /// True angles of all joints in the drawing [rad].
   Eigen::VectorXd trueAngles() const;
   const Eigen::Isometry3d& worldFromTorso() const { return worldFromTorso_; }
   Eigen::Isometry3d worldFromCamera(std::size_t camera, const Eigen::VectorXd& joints,
@@ -31,7 +31,7 @@ public:
   bool hasFallen() const { return fall_.has_value(); }
 
 private:
-  struct SolePlacement { // where a sole lies on the floor
+  struct SolePlacement { // pose of a sole on the floor
     double x = 0, y = 0, yaw = 0;
   };
   struct Contact {
@@ -54,10 +54,10 @@ private:
   SyntheticBody body_;
   Eigen::VectorXd offsets_;
   RandomStream motion_, sensors_;
-  std::vector<std::size_t> jointOfHardware_; // per joint of the drawing: its place in `jointNames`
-  std::vector<Servo> servos_;                // per joint of the drawing; of a driven one its motor's counts
+  std::vector<std::size_t> jointOfHardware_; // index in `jointNames`, per joint of the drawing
+  std::vector<Servo> servos_;                // per joint of the drawing; a coupled joint uses its motor's servo
   PerJoint<double> stiffness_{}, hands_{};
-  Eigen::VectorXd torques_, temperatures_, torquesAt_; // torquesAt_: joints for which torques_ were computed
+  Eigen::VectorXd torques_, temperatures_, torquesAt_; // torquesAt_: angles for which torques_ were computed
   bool held_ = false;
   SupportFoot support_ = SupportFoot::both, anchored_ = SupportFoot::left;
   SolePlacement stand_;
@@ -65,7 +65,7 @@ private:
   Eigen::Vector3d turnRate_ = Eigen::Vector3d::Zero(); // of the torso, in its axes [rad/s]
   struct Fall {
     Eigen::Vector3d axis; // in the world
-    double angle;         // so far [rad]
+    double angle;         // current [rad]
   };
   std::optional<Fall> fall_;
 };

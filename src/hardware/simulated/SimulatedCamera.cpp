@@ -77,7 +77,7 @@ RenderedScene SimulatedImage::scene(const Eigen::Isometry3d& worldFromCamera) co
 }
 
 void SimulatedImage::render() const {
-  constexpr double still = 1e-5; // [m], [rad]: a hundredth of a pixel
+  constexpr double still = 1e-5; // [m], [rad]; about 0.01 px
   const Eigen::Isometry3d moved = worldFromCamera_.front().inverse() * worldFromCamera_.back();
   const bool moves = !moved.isApprox(Eigen::Isometry3d::Identity(), still);
   std::vector<RenderedScene> scenes;
@@ -86,7 +86,7 @@ void SimulatedImage::render() const {
   }
   const GreyPicture grey = moves ? lens_->renderer.render(scenes, lens_->exposureShare, lens_->appearance, seed_)
                                  : lens_->renderer.render(scenes[scenes.size() / 2], lens_->appearance, seed_);
-  bytes_.assign(2 * grey.pixels.size(), 128); // without colour
+  bytes_.assign(2 * grey.pixels.size(), 128); // neutral chroma
   for (std::size_t pixel = 0; pixel < grey.pixels.size(); ++pixel) {
     bytes_[2 * pixel] = grey.pixels[pixel];
   }

@@ -8,18 +8,19 @@
 
 namespace naocal {
 
-/// What one camera of a simulated robot has in common for all its pictures.
+/// Optical properties shared by all images of one simulated camera.
 struct SimulatedOptics {
   Renderer renderer;
   Appearance appearance;
   std::vector<Board> boards;
-  double exposureShare; // of the time from the first row's beginning to the last row's end
+  double exposureShare; // exposure / (exposure + read-out)
 };
 
-/// A picture that is rendered when somebody looks at it.
+/// An image rendered on first access.
 class SimulatedImage : public ImageBytes {
 public:
-  /// `worldFromCamera`: at instants evenly spread over the exposure of all rows.
+  /// `worldFromCamera`: camera poses at evenly spaced instants, from the first row's start to the last row's end of
+  /// exposure.
   SimulatedImage(std::shared_ptr<const SimulatedOptics> lens, std::vector<Eigen::Isometry3d> worldFromCamera,
                  std::uint64_t seed);
 
@@ -36,23 +37,22 @@ private:
   mutable std::vector<std::uint8_t> bytes_;
 };
 
-/// When a simulated camera takes pictures, which of them get lost, and which one waits for the program. Knows nothing
-/// of threads.
+/// Schedule of a simulated camera: exposure times, lost images and the pending image. Not thread-safe.
 class SimulatedCamera {
 public:
-  /// `first`: when its first picture begins.
+  /// `first`: start of the first exposure.
   SimulatedCamera(CameraName name, const SimulatedPlan& plan, TimePoint first);
 
-  /// A picture whose bytes have come over by `now`: when it began. Asked again until there is none.
+  /// The start of exposure of an image whose transfer is complete by `now`. Call it until it is absent.
   std::optional<TimePoint> nextArrival(TimePoint now);
 
-  /// Shows the program the picture that `nextArrival` told of, if the driver does not lose it.
+  /// Makes the image of `nextArrival` pending, unless the driver loses it.
   void deliver(const std::vector<Eigen::Isometry3d>& worldFromCamera);
 
-  /// From the beginning of the first row's exposure to the end of the last row's.
+  /// From the start of the first row's exposure to the end of the last row's.
   std::chrono::nanoseconds span() const;
 
-  std::optional<CameraFrame> pending; // newest that was not given yet
+  std::optional<CameraFrame> pending; // newest image not yet taken
   CameraStatus link;
   bool blocked = false;
 

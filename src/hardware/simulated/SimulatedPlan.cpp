@@ -13,7 +13,7 @@ namespace {
 
 constexpr Range fewDegrees{0, 20, "degrees"}, fractions{0, 1, "s"}, shares{0, 1, ""}, greyLevels{0, 50, "grey levels"};
 
-/// A number that is absent or in its range, in the plan's own unit.
+/// Reads an optional number within `range`; `unit` converts it to the plan's unit.
 void take(const JsonCursor& top, const char* key, const Range& range, double unit, double& value) {
   if (const auto given = top.find(key)) {
     value = unit * given->number(range);

@@ -17,11 +17,11 @@
 namespace naocal {
 namespace {
 
-constexpr int parts = 4;                // of a cycle, between which motion is linear
-constexpr std::size_t remembered = 400; // parts: more than a second
-constexpr int instants = 9;             // of an exposure
+constexpr int parts = 4;                // substeps per cycle; motion is linear within one
+constexpr std::size_t remembered = 400; // substeps kept: 1.2 s
+constexpr int instants = 9;             // camera poses per exposure
 
-/// A quick world's time is its own, so that it is the same every time.
+/// Quick worlds start at a fixed time, so that runs are reproducible.
 TimePoint beginning(const SimulatedPlan& plan) {
   return plan.pace == Pace::quick ? TimePoint{std::chrono::seconds{1000}} : std::chrono::steady_clock::now();
 }
@@ -30,7 +30,7 @@ std::chrono::nanoseconds half(Seconds duration) {
   return std::chrono::duration_cast<std::chrono::nanoseconds>(duration / 2);
 }
 
-/// Between two postures; the world's axes.
+/// Interpolates two torso poses in the world frame.
 Eigen::Isometry3d between(const Eigen::Isometry3d& one, const Eigen::Isometry3d& other, double share) {
   const Eigen::Quaterniond turn = Eigen::Quaterniond{one.linear()}.slerp(share, Eigen::Quaterniond{other.linear()});
   Eigen::Isometry3d result{turn};
@@ -40,7 +40,7 @@ Eigen::Isometry3d between(const Eigen::Isometry3d& one, const Eigen::Isometry3d&
 
 } // namespace
 
-/// What the two sides of a simulated world share. Everything under `mutex`.
+/// State shared by both interfaces; `mutex` protects all members.
 struct SimulatedShared {
   SimulatedShared(const Robot& drawing, const SimulatedPlan& plan);
 
@@ -49,12 +49,12 @@ struct SimulatedShared {
     Eigen::VectorXd joints;
     Eigen::Isometry3d worldFromTorso;
   };
-  /// Between quarters of cycles linearly; absent beyond the last second.
+  /// Linear between quarters of cycles; absent outside the last second.
   std::optional<Moment> stateAt(TimePoint time) const;
 
   bool hasPendingImage() const { return cameras[0].pending || cameras[1].pending; }
 
-  /// One cycle on: commands that are due, the body, the pictures that have come over.
+  /// Advances one cycle: due commands, body, completed images.
   void advance();
 
   static constexpr std::chrono::milliseconds cycle{12};
@@ -66,7 +66,7 @@ struct SimulatedShared {
   LockStep step;
   SimulatedBody body;
   TimePoint now;
-  std::deque<std::pair<TimePoint, RobotCommand>> commands; // and when they reach the motors
+  std::deque<std::pair<TimePoint, RobotCommand>> commands; // with the time when they reach the motors
   std::array<SimulatedCamera, 2> cameras;                  // by CameraName
   RobotStatus link;
   Touch touched;
@@ -138,7 +138,7 @@ void SimulatedShared::expose(std::size_t camera, TimePoint begins) {
 
 namespace {
 
-/// The camera loop's side.
+/// Interface for the camera loop.
 class SimulatedCameras : public CameraInterface {
 public:
   explicit SimulatedCameras(std::shared_ptr<SimulatedShared> shared) : shared_{std::move(shared)} {
@@ -176,7 +176,7 @@ private:
   std::shared_ptr<SimulatedShared> shared_;
 };
 
-/// The motion loop's side: a cycle per state.
+/// Interface for the motion loop; each state advances one cycle.
 class SimulatedRobot : public RobotInterface {
 public:
   explicit SimulatedRobot(std::shared_ptr<SimulatedShared> shared) : shared_{std::move(shared)} {}
@@ -225,9 +225,9 @@ public:
   }
 
 private:
-  /// The world does not wait for a late program: what it misses is lost.
+  /// Advances the world past cycles that a late program missed; their states are lost.
   void catchUp() {
-    constexpr int most = 100; // cycles; a program that was stopped for longer finds the robot as it was
+    constexpr int most = 100; // cycles; after a longer stop only the time advances
     for (int missed = 0; shared_->now + 2 * SimulatedShared::cycle <= std::chrono::steady_clock::now(); ++missed) {
       if (missed < most) {
         shared_->advance();

@@ -10,25 +10,25 @@ namespace naocal {
 
 struct SimulatedShared;
 
-/// A simulated robot before its boards: one truth behind two interfaces, for two threads. Time advances in
-/// `waitForState`, so the camera loop waits in vain where nobody runs the motion loop.
+/// A simulated robot in front of its boards: one world behind two interfaces, for two threads. Only `waitForState`
+/// advances time, so the camera loop times out without a running motion loop.
 class SimulatedWorld {
 public:
-  /// `drawing`: of the plan's model.
+  /// `drawing`: robot of the plan's model.
   SimulatedWorld(const Robot& drawing, const SimulatedPlan& plan);
   ~SimulatedWorld();
   SimulatedWorld(const SimulatedWorld&) = delete;
   SimulatedWorld& operator=(const SimulatedWorld&) = delete;
 
-  /// Its two sides, each for one thread; they may outlive it. With `Pace::quick` the world waits for the camera
-  /// loop as long as `cameras` lives, but not longer than a few seconds for a loop that does nothing.
+  /// The interfaces for the motion and the camera thread; they may outlive this object. With `Pace::quick` the world
+  /// waits for the camera loop as long as `cameras` lives, but at most 2 s for a loop that does not call it.
   std::unique_ptr<RobotInterface> robot();
   std::unique_ptr<CameraInterface> cameras();
 
-  /// What nobody told the robot.
+  /// Ground truth.
   const SimulatedErrors& errors() const;
 
-  /// What is so at this moment; from any thread.
+  /// The true state at this moment; thread-safe.
   struct Truth {
     TimePoint time;
     Eigen::VectorXd joints; // of the drawing [rad]
@@ -38,14 +38,13 @@ public:
   };
   Truth truth() const;
 
-  /// The joints as they really were, between quarters of cycles linearly; absent beyond the last second. From any
-  /// thread.
+  /// True joint angles [rad], linear between quarters of cycles; absent outside the last second. Thread-safe.
   std::optional<Eigen::VectorXd> jointsAt(TimePoint time) const;
 
-  /// Somebody touches the robot, until told otherwise; from any thread.
+  /// Sets the simulated touch sensors until the next call; thread-safe.
   void touch(const Touch& touch);
 
-  /// A camera gives no pictures, until told otherwise; from any thread.
+  /// Stops or resumes a camera's images; thread-safe.
   void block(CameraName camera, bool blocked);
 
 private:

@@ -9,22 +9,22 @@ struct v4l2_buffer;
 
 namespace naocal {
 
-/// Memory that a capture driver and this program share. What fails throws VideoError (VideoDevice.hpp).
+/// Buffers shared with a capture driver (mmap). Failures throw VideoError (VideoSystem.hpp).
 class VideoBuffers {
 public:
-  /// Asks the driver for so many, maps them and gives them to it.
+  /// Requests, maps and enqueues buffers.
   VideoBuffers(VideoSystem& system, int file, unsigned count);
   ~VideoBuffers();
   VideoBuffers(const VideoBuffers&) = delete;
   VideoBuffers& operator=(const VideoBuffers&) = delete;
 
-  /// Takes a filled buffer from the driver; false when there is none.
+  /// Dequeues a filled buffer; false if there is none.
   bool dequeue(v4l2_buffer& buffer);
 
-  /// Its bytes, until it is given back.
+  /// The buffer's bytes, valid until `enqueue`.
   std::span<const std::uint8_t> bytes(const v4l2_buffer& buffer) const;
 
-  /// Gives it back; a driver that refuses once is asked twice.
+  /// Returns the buffer to the driver; retries once.
   void enqueue(v4l2_buffer& buffer);
 
 private:

@@ -7,7 +7,7 @@
 namespace naocal {
 namespace {
 
-constexpr std::chrono::milliseconds glance{50}; // at cameras that are closed or hang
+constexpr std::chrono::milliseconds glance{50}; // polling interval for closed or hung cameras
 
 } // namespace
 
@@ -25,7 +25,7 @@ std::optional<CameraFrame> VideoCameras::waitForFrame(std::chrono::milliseconds 
       device->ensureOpen();
     }
     for (const auto& device : devices_) {
-      device->drain(); // also what came while nobody waited, or while the other one was opened: the newest wins
+      device->drain(); // reads also images that arrived in between: the newest wins
     }
     VideoDevice* older = nullptr;
     for (const auto& device : devices_) {
@@ -45,7 +45,7 @@ std::optional<CameraFrame> VideoCameras::waitForFrame(std::chrono::milliseconds 
   }
 }
 
-/// Until a camera is ready, or has failed, which shows in `drain`.
+/// Waits until a camera is ready or has failed; `drain` reports the failure.
 bool VideoCameras::wait(std::chrono::nanoseconds most) {
   std::vector<pollfd> files;
   for (const auto& device : devices_) {
@@ -58,7 +58,7 @@ bool VideoCameras::wait(std::chrono::nanoseconds most) {
     const auto file = std::find_if(files.begin(), files.end(), [&](auto& one) { return one.fd == device->file(); });
     if (ready > 0 && file != files.end() && (file->revents & (POLLERR | POLLNVAL | POLLHUP)) &&
         !(file->revents & POLLIN)) {
-      device->drain(); // tells why
+      device->drain(); // sets the reason
       if (device->file() >= 0) {
         device->closeWithReason("its driver reports an error");
       }
@@ -81,7 +81,7 @@ CameraStatus VideoCameras::status(CameraName camera) const {
 void VideoCameras::configure(CameraName camera, const std::map<std::string, int>& settings) {
   for (const VideoOptions& options : cameras_) {
     std::vector<VideoControl> controls = options.controls;
-    for (const auto& [name, value] : settings) { // by name, so automatics first
+    for (const auto& [name, value] : settings) { // map order: autoExposure and similar before the manual values
       if (const auto id = videoControlId(name)) {
         controls.push_back({name, *id, value});
       }

@@ -14,9 +14,10 @@ namespace naocal {
 namespace {
 
 constexpr int tries = 3;
-constexpr std::chrono::milliseconds betweenTries{20}; // NAO's cameras take a frame to follow
+constexpr std::chrono::milliseconds betweenTries{20}; // NAO's cameras react one frame later
 
-/// Sets until it reads back right; the reason why it does not, else nothing. Both return what the kernel does.
+/// Repeats a setting until it reads back correctly; returns the reason of a failure, else empty. `set` and `get` return
+/// the kernel's result.
 template <typename Set, typename Get> std::string insist(const Set& set, const Get& get, int wanted) {
   std::string reason;
   for (int attempt = 0; attempt < tries; ++attempt) {
@@ -35,7 +36,7 @@ template <typename Set, typename Get> std::string insist(const Set& set, const G
 }
 
 constexpr std::chrono::milliseconds betweenOpenings{100};
-constexpr std::chrono::seconds hung{1}; // without a picture: NAO's cameras are known for it
+constexpr std::chrono::seconds hung{1}; // without an image; a known fault of NAO's cameras
 
 class CapturedBytes : public ImageBytes {
 public:
@@ -67,7 +68,8 @@ void VideoDevice::ensureOpen() {
   } catch (const VideoError& error) {
     closeWithReason(error.what());
   }
-  nextAttempt_ = Clock::now() + betweenOpenings; // an opening can take seconds, which are the other camera's too
+  nextAttempt_ = Clock::now() + betweenOpenings; // counted from the end: opening can take seconds and blocks the other
+                                                 // camera
 }
 
 void VideoDevice::open() {
@@ -84,7 +86,7 @@ void VideoDevice::open() {
 
 void VideoDevice::negotiate() {
   int input = options_.input;
-  system_.ioctl(file_, VIDIOC_S_INPUT, &input); // drivers with one input need not know of it
+  system_.ioctl(file_, VIDIOC_S_INPUT, &input); // fails on drivers with a single input: ignored
   v4l2_format format{};
   format.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
   format.fmt.pix.width = std::uint32_t(options_.width);
@@ -101,7 +103,7 @@ void VideoDevice::negotiate() {
   v4l2_streamparm rate{};
   rate.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
   rate.parm.capture.timeperframe = {1, std::uint32_t(options_.framesPerSecond)};
-  system_.ioctl(file_, VIDIOC_S_PARM, &rate); // what it cannot do shows in the stamps
+  system_.ioctl(file_, VIDIOC_S_PARM, &rate); // failure ignored; the time stamps show the actual rate
 }
 
 void VideoDevice::close() {
@@ -135,9 +137,9 @@ void VideoDevice::drain() {
 }
 
 void VideoDevice::accept(const v4l2_buffer& buffer) {
-  // The driver counts what it exposes, in 32 bits; a stream that was opened anew counts anew.
+  // The driver counts exposed images in 32 bits; a reopened stream restarts the count.
   const auto step = driverSequence_ ? static_cast<std::int32_t>(buffer.sequence - *driverSequence_) : 1;
-  const std::uint64_t gap = step > 1 ? static_cast<std::uint64_t>(step - 1) : 0; // no count goes back
+  const std::uint64_t gap = step > 1 ? static_cast<std::uint64_t>(step - 1) : 0; // ignores steps backwards
   driverSequence_ = buffer.sequence;
   link.lost += gap;
   sequence_ += gap;
@@ -159,7 +161,7 @@ void VideoDevice::accept(const v4l2_buffer& buffer) {
              std::make_shared<CapturedBytes>(bytes)};
 }
 
-/// Drivers stamp with the monotonic clock and say so; a V5's stamps with the wall clock and says nothing.
+/// Most drivers stamp with the monotonic clock and flag it; a V5's uses the wall clock without a flag.
 TimePoint VideoDevice::stamp(const v4l2_buffer& buffer) {
   const Duration since =
       std::chrono::seconds{buffer.timestamp.tv_sec} + std::chrono::microseconds{buffer.timestamp.tv_usec};
@@ -181,7 +183,7 @@ void VideoDevice::setControls(std::vector<VideoControl> controls) {
   }
 }
 
-/// The last refusal stands in `link.problem`; pictures are taken all the same.
+/// Applies all settings; `link.problem` keeps the last refusal. Images are taken anyway.
 void VideoDevice::apply() {
   const auto note = [&](const std::string& refused) {
     if (!refused.empty()) {
@@ -225,7 +227,7 @@ std::string VideoDevice::refusal(const VideoExtension& extension) {
   std::uint16_t value = 0;
   const auto query = [&](std::uint8_t what) {
     uvc_xu_control_query request{extension.unit, extension.selector, what, sizeof value,
-                                 reinterpret_cast<std::uint8_t*>(&value)}; // little endian, as all NAOs are
+                                 reinterpret_cast<std::uint8_t*>(&value)}; // little endian, as on every NAO
     return system_.ioctl(file_, UVCIOC_CTRL_QUERY, &request);
   };
   const std::string reason = insist(

@@ -9,8 +9,8 @@
 
 namespace naocal {
 
-/// One camera behind V4L2: opens it, sets it up, takes its newest picture, and starts anew whatever happens to it. Used
-/// by one thread; nothing throws.
+/// One V4L2 camera: opens and configures it, takes its newest image, and reopens it after any failure. For a single
+/// thread; nothing throws.
 class VideoDevice {
 public:
   VideoDevice(VideoOptions options, VideoSystem& system);
@@ -18,17 +18,16 @@ public:
   VideoDevice(const VideoDevice&) = delete;
   VideoDevice& operator=(const VideoDevice&) = delete;
 
-  /// Opens what is closed, a tenth of a second after the last attempt has ended or later.
+  /// Opens a closed camera, at most once per 100 ms after the last attempt has ended.
   void ensureOpen();
 
-  /// Takes all pictures that are ready; the newest becomes `pending`. Closes what has none and has given none for a
-  /// second.
+  /// Takes all available images; the newest becomes `pending`. Closes a camera that has delivered nothing for a second.
   void drain();
 
-  /// Closes; the next `ensureOpen` begins anew. `why`: the end of a sentence.
+  /// Closes the camera; the next `ensureOpen` reopens it. `why`: the end of a sentence.
   void closeWithReason(const std::string& why);
 
-  /// New settings, at once where it is open and from now on; what the camera refuses stands in `link.problem`.
+  /// Replaces the settings; applies them now if open, and after every reopening. `link.problem` reports refused ones.
   void setControls(std::vector<VideoControl> controls);
 
   int file() const { return file_; } // -1: closed
@@ -52,7 +51,7 @@ private:
   std::unique_ptr<VideoBuffers> buffers_;
   bool openedBefore_ = false;
   TimePoint nextAttempt_{}, lastPicture_{};
-  std::optional<std::uint32_t> driverSequence_; // of the last buffer since it was opened
+  std::optional<std::uint32_t> driverSequence_; // of the last buffer since opening
   std::uint64_t sequence_ = 0;                  // of the next one
   ClockOffset wallClock_;
 };

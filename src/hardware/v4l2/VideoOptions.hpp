@@ -9,27 +9,27 @@
 
 namespace naocal {
 
-/// A setting of a camera, by V4L2's number (V4L2_CID_...). Set in the order given, because automatics forbid what they
-/// do themselves.
+/// A camera setting by its V4L2 number (V4L2_CID_...). The order matters: automatic modes block the manual values they
+/// control.
 struct VideoControl {
-  std::string name; // for people
+  std::string name; // for display
   std::uint32_t id = 0;
   std::int32_t value = 0;
 };
 
-/// V4L2's number of a control by its name in the configuration: autoExposure, exposure, autoWhiteBalance,
-/// whiteBalanceTemperature, brightness, contrast, gain, hue, saturation, sharpness, autoFocus, focus, and what V5 calls
-/// exposure, plainExposure. Absent for other names.
+/// The V4L2 number of a control by its configuration name: autoExposure, exposure, autoWhiteBalance,
+/// whiteBalanceTemperature, brightness, contrast, gain, hue, saturation, sharpness, autoFocus, focus, and plainExposure
+/// (exposure on a V5). Absent for other names.
 std::optional<std::uint32_t> videoControlId(std::string_view name);
 
-/// A UVC extension unit's setting of two bytes: how a V6's cameras are flipped.
+/// A two-byte setting of a UVC extension unit; flips a V6's cameras.
 struct VideoExtension {
-  std::string name; // for people
+  std::string name; // for display
   std::uint8_t unit = 0, selector = 0;
   std::uint16_t value = 0;
 };
 
-/// One camera and how it shall be.
+/// Device, format and settings of one camera.
 struct VideoOptions {
   std::string path;
   CameraName camera = CameraName::top;
@@ -41,8 +41,8 @@ struct VideoOptions {
   std::vector<VideoExtension> extensions;
 };
 
-/// The cameras of a model ("V5" or "V6"), the upper one upside down: device files, flips, focus. Throws
-/// std::invalid_argument for other models. Source: HULKs code release 2019, Hardware/Nao.
+/// Options of a model's cameras ("V5" or "V6"; the top camera is mounted upside down): device files, flips, focus.
+/// Throws std::invalid_argument for other models. Source: HULKs code release 2019, Hardware/Nao.
 std::vector<VideoOptions> videoOptionsForModel(std::string_view model);
 
 } // namespace naocal

@@ -11,13 +11,13 @@ struct pollfd;
 
 namespace naocal {
 
-/// Why a camera does not deliver, as the end of a sentence. Stays within the driver.
+/// A camera failure, as the end of a sentence. Never leaves the V4L2 driver code.
 class VideoError : public std::runtime_error {
 public:
   using std::runtime_error::runtime_error;
 };
 
-/// Throws for the negative result of a system call; else hands it on.
+/// Throws VideoError for a negative result of a system call; otherwise returns it.
 inline int checkCall(int result, const char* what) {
   if (result < 0) {
     throw VideoError{fmt::format("{}: {}", what, std::strerror(-result))};
@@ -25,21 +25,21 @@ inline int checkCall(int result, const char* what) {
   return result;
 }
 
-/// The system calls that capture needs, so that tests can be the kernel. All return what the kernel does, but a failure
-/// as the negative error number; calls that a signal interrupts are repeated.
+/// System calls used for capture, replaceable in tests. They return the kernel's result, or the negative error number
+/// on failure; calls interrupted by a signal are repeated.
 class VideoSystem {
 public:
   virtual ~VideoSystem() = default;
 
-  virtual int open(const std::string& path) = 0; // for reading and writing, not blocking
+  virtual int open(const std::string& path) = 0; // read-write, non-blocking
   virtual void close(int file) = 0;
   virtual int ioctl(int file, unsigned long request, void* argument) = 0;
-  virtual void* map(std::size_t length, int file, long offset) = 0; // nullptr: failed
+  virtual void* map(std::size_t length, int file, long offset) = 0; // nullptr on failure
   virtual void unmap(void* memory, std::size_t length) = 0;
   virtual int poll(std::span<pollfd> files, int milliseconds) = 0;
 };
 
-/// The real one.
+/// The kernel's system calls.
 VideoSystem& kernelVideoSystem();
 
 } // namespace naocal

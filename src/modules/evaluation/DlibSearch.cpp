@@ -15,7 +15,7 @@ Eigen::VectorXd asEigen(const Column& numbers) {
 } // namespace
 
 Eigen::VectorXd minimizeWithDlib(const CostFunction& cost, Eigen::Index unknowns, double range, std::size_t calls) {
-  constexpr double impossible = 1e12; // it cannot work with infinity
+  constexpr double impossible = 1e12; // replaces infinity, which dlib cannot handle
   Column lower(unknowns), upper(unknowns);
   lower = -range;
   upper = range;

@@ -12,7 +12,7 @@ namespace naocal {
 
 namespace {
 
-/// Stable poses as they come, not chosen for what they tell.
+/// Random stable poses, not selected by information.
 std::vector<CommandedPose> randomPoses(const Robot& robot, std::size_t count, std::uint64_t seed) {
   PoseOptions options;
   options.count = count;
@@ -37,7 +37,7 @@ std::vector<CommandedPose> commandPoses(const std::vector<ProposedPose>& poses) 
   return result;
 }
 
-/// The robot of a trial: takes poses in one stance after the other.
+/// The robot of a trial; each batch of poses is one stance.
 class Subject {
 public:
   Subject(const Robot& robot, std::uint64_t seed, double flawScale)
@@ -60,7 +60,7 @@ private:
   double flawScale_;
 };
 
-/// The class weighed by all captures so far.
+/// The class, weighed by all captures so far.
 struct Weighed {
   Model model;
   CalibrationResult fit;
@@ -100,7 +100,7 @@ const Hypothesis& findLikeliest(const Weighed& weighed) {
                            [](const Hypothesis& a, const Hypothesis& b) { return a.odds < b.odds; });
 }
 
-/// The first captures of a set's poses, as many poses as wanted.
+/// The captures of a set's first `count` poses.
 CaptureSet firstPoses(CaptureSet set, const std::vector<CommandedPose>& poses, std::size_t count) {
   std::erase_if(set.captures, [&](const Capture& capture) {
     return std::none_of(poses.begin(), poses.begin() + static_cast<std::ptrdiff_t>(count),

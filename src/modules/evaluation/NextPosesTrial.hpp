@@ -11,30 +11,30 @@
 namespace naocal {
 
 struct NextPosesTrialOptions {
-  std::size_t start = 12;  // random stable poses, before the first question
-  std::size_t batch = 4;   // poses taken before the next question
-  std::size_t most = 24;   // further poses, until it is given up
-  double flawScale = 0.15; // of the hidden effect, against that of a worn NAO
-  double certainty = 0.95; // of one member of the class
+  std::size_t start = 12;  // random stable poses before the first diagnosis
+  std::size_t batch = 4;   // poses taken between two selections
+  std::size_t most = 24;   // limit of further poses
+  double flawScale = 0.15; // size of the hidden effect relative to a worn NAO's
+  double certainty = 0.95; // required probability of one class member
 };
 
-/// How many further poses it took until one member of the class was certain, and whether it is the hidden effect.
+/// Number of further poses until one class member is certain, and whether it is the hidden effect.
 struct TrialArm {
-  std::optional<std::size_t> poses; // absent: not with `most`
+  std::optional<std::size_t> poses; // absent: more than `most`
   bool right = false;
 };
 
-/// One simulated robot with a hidden effect, and what its first captures cannot tell apart.
+/// One simulated robot with a hidden effect, and the effects that its first captures cannot distinguish.
 struct NextPosesTrial {
   std::uint64_t seed = 0;
   std::string hidden;                // "elasticity@LKneePitch"
-  std::vector<std::string> suspects; // fewer than two: nothing was open
+  std::vector<std::string> suspects; // empty: nothing was open
   TrialArm proposed, random;
 };
 
-/// Asks what is open after the first captures, then takes further poses, proposed ones and, apart from them, random
-/// stable ones; every batch in a stance of its own, the boards where they lie. After each pose the class is weighed:
-/// exp(evidence / 2), evidence = 2 ln of the Bayes factor, all of the class's members together 1.
+/// Diagnoses the first captures, then takes further poses: proposed ones and, separately, random stable ones; each
+/// batch in a new stance with fixed boards. After each pose the class is weighed: probabilities proportional to
+/// exp(evidence / 2), evidence = 2 ln of the Bayes factor, sum 1.
 NextPosesTrial runNextPosesTrial(const Robot& robot, std::uint64_t seed, const NextPosesTrialOptions& options = {});
 
 } // namespace naocal

@@ -10,7 +10,7 @@ namespace {
 
 using Numbers = std::vector<double>;
 
-/// As pagmo wants it.
+/// The cost function in pagmo's interface.
 struct Problem {
   const CostFunction* cost = nullptr;
   Eigen::Index unknowns = 1;

@@ -21,12 +21,12 @@ namespace naocal {
 
 namespace {
 
-/// Before rounding [rad].
+/// Noise before rounding, 1 sigma [rad].
 double angleSigma(AngleNoise noise) {
   return noise == AngleNoise::radians ? 0.007 : noise == AngleNoise::degrees ? radians(0.007) : 0;
 }
 
-/// Of a gear that sticks, behind the encoder: half the dead zone of a motor [rad].
+/// Deflection of a sticking gear behind the encoder, 1 sigma: half a motor's dead zone [rad].
 const double stiction = radians(0.05);
 
 bool isDithered(const ThesisSetting& setting) {
@@ -38,7 +38,7 @@ bool isDithered(const ThesisSetting& setting) {
 Noise thesisNoise(const ThesisSetting& setting, double pixel) {
   const double noPixelNoise = setting.angleNoise() ? 0.03 : 0.01; // [px]
   const double rounding =
-      encoderStep / std::sqrt(isDithered(setting) ? 6.0 : 12.0); // uniform, or a sum of two uniform ones
+      encoderStep / std::sqrt(isDithered(setting) ? 6.0 : 12.0); // one uniform error, or the sum of two
   return {.pixel = setting.pixelNoise() ? pixel : noPixelNoise,
           .encoder = setting.angleNoise() ? std::hypot(angleSigma(setting.jointNoise), rounding) : 0,
           .pose = setting.angleNoise() && setting.jointNoise == AngleNoise::stiction ? stiction : 0};
@@ -57,9 +57,9 @@ AngleReading readAngle(double commanded, const ThesisSetting& setting, RandomStr
 
 namespace {
 
-const double range = radians(6.5); // of offsets [rad]
+const double range = radians(6.5); // range of the offsets [rad]
 
-/// Attitudes in which a robot stands and sees something.
+/// Stable poses in which the robot sees a target.
 std::vector<Eigen::VectorXd> candidatePoses(const Robot& robot, const ThesisScene& scenery, std::size_t count) {
   PoseOptions options;
   options.sight = scenery.limits;
@@ -83,10 +83,10 @@ std::size_t cornersSeen(const PoseGroup& pose, const Measurements& taken) {
   return corners;
 }
 
-/// What a pose is worth over robots with unknown offsets.
+/// Value of a pose over robots with random offsets.
 struct Prospect {
-  Eigen::MatrixXd information; // about the offsets, on average
-  bool sees = true;            // every robot sees enough
+  Eigen::MatrixXd information; // about the offsets, mean over the robots
+  bool sees = true;            // every robot sees enough corners
 };
 
 std::vector<Prospect> prospects(const ThesisExperiment& stage, const Model& model, const Noise& noise) {
@@ -104,7 +104,7 @@ std::vector<Prospect> prospects(const ThesisExperiment& stage, const Model& mode
     stage.simulate(offsets, exact, 0, chance, taken);
     const Residuals residuals{taken, model, noise};
     const auto linear =
-        residuals.linearise(residuals.startState(offsets)).value(); // what is seen lies before the camera
+        residuals.linearise(residuals.startState(offsets)).value(); // visible corners are in front of the camera
     for (std::size_t pose = 0; pose < result.size(); ++pose) {
       PoseInformation told = marginalInformation(linear.poses[pose], noise);
       told.hessian /= robots;
@@ -115,7 +115,7 @@ std::vector<Prospect> prospects(const ThesisExperiment& stage, const Model& mode
   return result;
 }
 
-/// The thesis's chain among the usable poses; their numbers.
+/// The thesis's chain among the usable poses; returns indices into `usable`.
 std::vector<std::size_t> chainOf(const Robot& robot, const ThesisExperiment& stage,
                                  const std::vector<Eigen::VectorXd>& poses, const std::vector<std::size_t>& usable,
                                  std::size_t count) {
@@ -174,7 +174,7 @@ std::vector<Eigen::VectorXd> selectThesisPoses(const Robot& robot, ThesisFeature
 
 namespace {
 
-/// Floor points every quarter of a metre up to 4 m away, square metres of them.
+/// Floor points every 0.25 m up to 4 m away, in tiles of one square metre.
 std::vector<Board> floorTiles() {
   constexpr int perMetre = 4, farthest = 4;
   std::vector<Board> tiles;
@@ -203,13 +203,13 @@ ThesisScene makeThesisScene(ThesisFeature feature) {
   ThesisScene result{{}, nominalCameras(640, 480), {}};
   if (feature == ThesisFeature::grid) {
     result.targets = floorTiles();
-    result.limits.farthest = 4.5; // from the camera, half a metre over the floor
+    result.limits.farthest = 4.5; // [m] from the camera, which is 0.5 m above the floor
     result.limits.grazing = radians(5);
     result.limits.corners = 1;
     return result;
   }
   result.targets = defaultBoards();
-  for (Board& board : result.targets) { // seen from the sole
+  for (Board& board : result.targets) { // relative to the sole
     board.placement->y -= halfFootDistance;
   }
   return result;
@@ -242,7 +242,7 @@ Measurements observeEverything(const Robot& robot, const ThesisScene& scenery, c
         capture.id = static_cast<int>(set.captures.size());
         capture.pose = fmt::format("P{:04}", pose);
         capture.repeat = static_cast<int>(sample);
-        capture.repeatKind = RepeatKind::reapproach; // so that each sample's readings have errors of their own
+        capture.repeatKind = RepeatKind::reapproach; // new reading errors for each sample
         capture.camera = camera;
         capture.supportFoot = poses[pose].foot;
         capture.stance = poses[pose].foot == SupportFoot::left ? 0 : 1;
@@ -256,10 +256,10 @@ Measurements observeEverything(const Robot& robot, const ThesisScene& scenery, c
 
 namespace {
 
-/// Which corners of a target are in sight, and where; few ones count as none.
+/// Finds the visible corners of a target and their positions; none if fewer than the limit are visible.
 void findSeen(const Board& target, const CameraFrames& attitude, const ProjectedBlocks& projected,
               const CameraIntrinsics& lens, const VisibilityLimits& limits, BoardCorners& seen) {
-  const double height = attitude.opticalFromBoard.inverse().translation.z(); // of the camera over the floor
+  const double height = attitude.opticalFromBoard.inverse().translation.z(); // of the camera above the floor
   seen.ids.clear();
   seen.uv.clear();
   for (std::size_t i = 0; i < target.points.size(); ++i) {
@@ -305,7 +305,7 @@ std::vector<std::string> ThesisExperiment::jointNames() const {
   return names;
 }
 
-/// Fills `seen` with what its camera shows when the stage's joints truly are at these angles.
+/// Fills `seen` with the visible corners when the experiment's joints have these true angles.
 void ThesisExperiment::look(const ImageObservation& all, const Eigen::VectorXd& angles, const Eigen::VectorXd& truth,
                             ImageObservation& seen) const {
   thread_local LinkPoses torsoFromLink;

@@ -11,7 +11,7 @@ namespace naocal {
 
 namespace {
 
-/// A row of a table: one noise, a percentage per number of poses.
+/// A row of a published table: one noise, a percentage per number of poses.
 struct PublishedRow {
   std::string table;
   ThesisFeature feature;
@@ -41,7 +41,7 @@ std::vector<PublishedRow> publishedRows() {
           {"5.8", boards, random, both, 3, {{3, 34.38}, {8, 76.28}}}};
 }
 
-/// Without noise no joint noise is read in three ways.
+/// Interpretations to evaluate: one without joint noise, otherwise three.
 std::vector<AngleNoise> readings(const ThesisSetting& setting) {
   return setting.angleNoise() ? std::vector{AngleNoise::radians, AngleNoise::degrees, AngleNoise::encoder}
                               : std::vector{AngleNoise::radians};

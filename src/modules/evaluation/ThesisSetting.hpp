@@ -10,38 +10,39 @@
 
 namespace naocal {
 
-/// What the cameras look at: a grid of floor points seen by correspondence, or four ChArUco boards on the floor.
+/// Observed targets: a grid of floor points with known correspondence, or four ChArUco boards on the floor.
 enum class ThesisFeature { grid, boards };
 
-/// What is noisy: corners, the angles that the robot reports, or both.
+/// Noisy quantities: corners, reported angles, or both.
 enum class ThesisNoise { none, pixel, joint, both };
 
-/// Readings of the thesis's joint noise, whose unit it does not state: sigma 0.007 rad or 0.007 degrees before the
-/// 12-bit encoder rounds (4.1); the real encoder's, whose readings flip between two steps at rest; and with it gears
-/// that stick a little differently in every pose, behind the encoder.
+/// Interpretations of the thesis's joint noise, whose unit is not stated: sigma 0.007 rad or 0.007 degrees before
+/// 12-bit rounding (4.1); the real encoder, whose readings alternate between two steps at rest; the same with gears
+/// that stick slightly differently in every pose, behind the encoder.
 enum class AngleNoise { radians, degrees, encoder, stiction };
 
-/// Who chose the poses: we, or the thesis's chain (Interaction.hpp) among the same candidates.
+/// Selection of poses: ours, or the thesis's chain (ThesisCriterion.hpp) among the same candidates.
 enum class PoseChoice { ours, chain };
 
-/// Plain Levenberg-Marquardt on pixels, all alike, from zero; the best of it from random starts; and ours: corners
-/// weighed with the readings' noise marginalised, offsets with their prior. For comparison on some sets: plain with
-/// central differences instead of our derivatives, dlib's find_min_global, and a particle swarm.
+/// plain: Levenberg-Marquardt on equally weighted pixels, from zero. randomStarts: the best of it from random starts.
+/// ours: corners weighted with the readings' noise marginalised, offsets with a prior. For comparison on some sets:
+/// numeric (plain with central differences instead of analytic derivatives), dlib (find_min_global), swarm (particle
+/// swarm).
 enum class ThesisSolver { plain, randomStarts, ours, numeric, dlib, swarm };
 constexpr std::array allSolvers{ThesisSolver::ours,    ThesisSolver::plain, ThesisSolver::randomStarts,
                                 ThesisSolver::numeric, ThesisSolver::dlib,  ThesisSolver::swarm};
 
-/// Everything that decides about an error set but its number.
+/// Everything that determines an error set, except its number.
 struct ThesisSetting {
   ThesisFeature feature = ThesisFeature::boards;
   std::size_t poses = 3;
   ThesisNoise noise = ThesisNoise::none;
-  AngleNoise jointNoise = AngleNoise::radians; // where the noise is of joints
-  std::size_t samples = 1;                     // per pose, each with readings of its own
-  bool largeErrors = false;                    // of 1 to 6.5 degrees instead of 0 to 6.5, either sign
+  AngleNoise jointNoise = AngleNoise::radians; // interpretation of joint noise, if present
+  std::size_t samples = 1;                     // per pose, with new readings each
+  bool largeErrors = false;                    // offsets of 1 to 6.5 degrees instead of 0 to 6.5, either sign
   // Beyond the thesis:
-  bool bothLegs = false;      // the mirror images of all poses on the other leg too, 13 offsets at once
-  bool unknownPlaces = false; // the cameras' mounts and the boards' places are to be found along with the offsets
+  bool bothLegs = false;      // adds the mirror images of all poses on the other leg: 13 offsets
+  bool unknownPlaces = false; // camera mounts and board placements are unknown as well
   PoseChoice choice = PoseChoice::ours;
 
   auto key() const {
@@ -56,29 +57,29 @@ struct ThesisSetting {
   std::string name() const;
 };
 
-/// A figure of the thesis's tables 5.5 to 5.8. Joint noise makes three cells of one figure: one per reading.
+/// A figure of the thesis's tables 5.5 to 5.8. With joint noise, one figure gives three cells: one per interpretation.
 struct ThesisCell {
   std::string table; // "5.8", or "beyond"
   ThesisSetting setting;
-  ThesisSolver solver = ThesisSolver::plain; // the thesis's in this table
-  std::optional<double> published;           // success [1]; absent: the thesis did not ask
+  ThesisSolver solver = ThesisSolver::plain; // the thesis's solver in this table
+  std::optional<double> published;           // success rate [1]; absent: not in the thesis
 };
 
-/// What the thesis left open, with the real encoder's noise and 0.3 px of the corners: both legs at once, unknown
-/// mounts and places, stiction, and poses of the thesis's chain.
+/// Cells beyond the thesis, with the real encoder's noise and 0.3 px corner noise: both legs at once, unknown mounts
+/// and places, stiction, and poses of the thesis's chain.
 std::vector<ThesisCell> furtherCells();
 
-/// All cells, by table, those beyond it last. Table 5.5 is printed without its feature and poses: its 13 % of failures
-/// are the grid's 3 poses of table 5.6.
+/// All cells by table, those beyond the thesis last. Table 5.5 does not state its feature and number of poses; its 13 %
+/// of failures match the grid with 3 poses in table 5.6.
 std::vector<ThesisCell> thesisCells();
 
-/// Whether it is one of table 5.5, on which other solvers are compared.
+/// Whether the setting belongs to table 5.5, on which other solvers are compared.
 bool isInTable55(const ThesisSetting& setting);
 
-/// The settings of all cells, each once, and which solvers they are for: ours and plain for all.
+/// The settings of all cells, each once, with their solvers; plain and ours for all.
 std::vector<std::pair<ThesisSetting, std::vector<ThesisSolver>>> thesisSettings();
 
-/// As in evaluation files.
+/// Names used in evaluation files.
 std::string_view toString(ThesisFeature feature);
 std::string_view toString(ThesisNoise noise);
 std::string_view toString(AngleNoise noise);

@@ -45,7 +45,7 @@ ThesisEvaluation mergeEvaluations(const std::vector<ThesisEvaluation>& parts) {
                                    part->pixel, part->parts)};
     }
     result.joints =
-        result.joints.size() < part->joints.size() ? part->joints : result.joints; // one may have stopped early
+        result.joints.size() < part->joints.size() ? part->joints : result.joints; // a part may have stopped early
     for (const std::size_t done : part->done) {
       if (std::find(result.done.begin(), result.done.end(), done) != result.done.end()) {
         throw InputError{fmt::format("expected every part once, found {}/{} twice", done, result.parts)};
@@ -184,7 +184,7 @@ ThesisTally tallyAt(const JsonCursor& cell, const std::vector<std::string>& join
     tally.status[static_cast<std::size_t>(status)] =
         static_cast<std::size_t>(cell.at("status").at(key).integer(0, maxInteger));
   }
-  for (const std::string& joint : joints) { // of one leg: fewer
+  for (const std::string& joint : joints) { // fewer for one leg
     if (const auto errors = cell.find("errorCounts"); errors && errors->find(joint)) {
       readCounts(errors->at(joint), tally.errors.emplace_back());
     }
@@ -250,7 +250,7 @@ ThesisEvaluation readEvaluation(const std::filesystem::path& file) {
   for (const JsonCursor& cell : top.at("cells").elements()) {
     const ThesisSetting setting = settingAt(cell);
     const auto solver = wordAt<ThesisSolver>(cell, "solver", {allSolvers.begin(), allSolvers.end()});
-    if (!result.tally(setting, solver)) { // a setting may be in two tables
+    if (!result.tally(setting, solver)) { // a setting may occur in two tables
       result.outcomes.push_back({setting, solver, tallyAt(cell, result.joints)});
     }
   }
@@ -259,7 +259,7 @@ ThesisEvaluation readEvaluation(const std::filesystem::path& file) {
 
 namespace {
 
-/// Of an angle [rad], in bins of that width.
+/// Bin index of an angle [rad]; clamps to the outermost bins.
 std::size_t binOf(double angle, double first, double width, std::size_t bins) {
   const double bin = std::floor((degrees(angle) - first) / width);
   return static_cast<std::size_t>(std::clamp(bin, 0.0, static_cast<double>(bins - 1)));

@@ -9,32 +9,32 @@
 
 namespace naocal {
 
-/// Tolerances of an offset's error at which success is counted: 0.1, 0.2, ... 2.0 degrees.
+/// Tolerances of the offset error for counting success: 0.1, 0.2, ... 2.0 degrees.
 constexpr std::size_t toleranceCount = 20;
 constexpr double toleranceDegrees(std::size_t index) {
   return 0.1 * static_cast<double>(index + 1);
 }
 
-/// The tolerance at which statuses are counted: 0.2 degrees, that of the author's published set-up.
+/// Index of the tolerance for counting statuses: 0.2 degrees, as in the author's published set-up.
 constexpr std::size_t statusTolerance = 1;
 
-/// Bins of an offset's error: 0.1 degrees wide from -3 to 3, the outermost hold what is beyond.
+/// Bins of an offset error: 0.1 degrees wide from -3 to 3; the outermost bins include larger values.
 constexpr std::size_t errorBins = 60;
 constexpr double firstErrorDegrees = -3, errorBinDegrees = 0.1;
 
-/// Bins of an offset before it is found: 0.5 degrees wide from -7 to 7.
+/// Bins of a true offset: 0.5 degrees wide from -7 to 7.
 constexpr std::size_t offsetBins = 28;
 constexpr double firstOffsetDegrees = -7, offsetBinDegrees = 0.5;
 
-/// How often a solver succeeded in a setting. Only counts, so that parts add up to the whole.
+/// A solver's results in a setting. Counts only, so that parts can be added.
 struct ThesisTally {
   std::size_t sets = 0, limitDraws = 0;
-  std::array<std::size_t, 4> status{};                      // by ThesisStatus
-  std::array<std::size_t, toleranceCount> success{};        // sets
-  std::array<std::size_t, toleranceCount> limit{};          // draws of an efficient estimator's errors
-  std::vector<std::array<std::size_t, errorBins>> errors;   // per joint: sets that were solved, by the offset's error
-  std::vector<std::array<std::size_t, offsetBins>> offsets; // per joint: sets, by the offset itself
-  double seconds = 0;                                       // in the solver
+  std::array<std::size_t, 4> status{};               // by ThesisStatus
+  std::array<std::size_t, toleranceCount> success{}; // successful sets, by tolerance
+  std::array<std::size_t, toleranceCount> limit{}; // successful draws of an efficient estimator's errors, by tolerance
+  std::vector<std::array<std::size_t, errorBins>> errors;   // per joint: solved sets, by offset error
+  std::vector<std::array<std::size_t, offsetBins>> offsets; // per joint: sets, by true offset
+  double seconds = 0;                                       // solver time
 
   void add(const Eigen::VectorXd& offsets, const ThesisSolution& answer, const std::vector<double>& limitErrors);
   void add(const ThesisTally& other);
@@ -49,44 +49,43 @@ struct ThesisOutcome {
   ThesisTally tally;
 };
 
-/// The thesis's evaluation or parts of it: of every setting the sets part, part + parts, part + 2 parts, ...
+/// The thesis's evaluation, or parts of it: sets part, part + parts, part + 2 parts, ... of every setting.
 struct ThesisEvaluation {
   std::uint64_t seed = 1;
-  std::size_t sets = 10'000; // per setting, of all parts together
-  double pixel = 0.3;        // corner noise where there is any [px]
+  std::size_t sets = 10'000; // per setting, over all parts
+  double pixel = 0.3;        // corner noise, if present, 1 sigma [px]
   std::size_t parts = 1;
-  std::vector<std::size_t> done = {};   // which parts
-  std::vector<std::string> joints = {}; // whose offsets are found
+  std::vector<std::size_t> done = {};   // parts included
+  std::vector<std::string> joints = {}; // joints of the offsets
   std::vector<ThesisOutcome> outcomes;
-  std::size_t others = 0; // sets of table 5.5 for each solver that is only compared, ten times as many for `numeric`
+  std::size_t others = 0; // sets of table 5.5 for each comparison solver, ten times as many for `numeric`
 
-  /// How many of the sets a solver gets.
+  /// Number of sets for a solver.
   std::size_t setsOf(ThesisSolver solver) const;
 
-  /// nullptr: not evaluated.
+  /// nullptr if not evaluated.
   const ThesisTally* tally(const ThesisSetting& setting, ThesisSolver solver) const;
 };
 
-/// EVALUATION.json: every cell of the tables with the figure of the thesis, once per solver.
+/// EVALUATION.json: every cell of the tables with the thesis's figure, once per solver.
 nlohmann::json evaluationJson(const ThesisEvaluation& evaluation);
 
-/// Reads an evaluation file. Throws InputError with file, place, what was expected and found.
+/// Reads an evaluation file. Throws InputError with file, place, expectation and finding.
 ThesisEvaluation readEvaluation(const std::filesystem::path& file);
 
-/// The parts together. Throws InputError where they are not of one evaluation, or overlap.
+/// Merges parts. Throws InputError if they belong to different evaluations or overlap.
 ThesisEvaluation mergeEvaluations(const std::vector<ThesisEvaluation>& parts);
 
-/// How the thesis's figures are met by its own solvers.
+/// Agreement of the thesis's solvers, run here, with its figures.
 struct NoiseInterpretation {
   AngleNoise jointNoise = AngleNoise::radians;
   std::size_t tolerance = 0; // index
-  double difference = 0;     // root mean square over those cells [1]
+  double difference = 0;     // root mean square over the cells [1]
   std::size_t cells = 0;
 };
 
-/// Of all readings of the joint noise and all tolerances the pair that meets the thesis's figures best, over the cells
-/// with joint noise, which alone depend on the reading, but for those in which the thesis never succeeded. Absent: none
-/// was evaluated.
+/// The interpretation of the joint noise and the tolerance that reproduce the thesis's figures best, over the cells
+/// with joint noise in which the thesis had any success. Absent if none was evaluated.
 std::optional<NoiseInterpretation> bestInterpretation(const ThesisEvaluation& evaluation);
 
 } // namespace naocal

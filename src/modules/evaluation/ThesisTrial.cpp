@@ -13,7 +13,7 @@
 
 namespace naocal {
 
-/// The pixels of a problem (Residuals) with central differences in place of its derivatives, for levenbergMarquardt.
+/// The pixel residuals (Residuals) with central differences instead of analytic derivatives, for levenbergMarquardt.
 /// Without priors and deflections.
 class NumericPixelProblem {
 public:
@@ -36,23 +36,24 @@ private:
   const Residuals& residuals_;
 };
 
-/// The range of a NAO's offsets in the thesis [rad], either way.
+/// Range of the offsets in the thesis [rad], either sign.
 const double maxThesisOffset = radians(6.5);
 
-/// Where a search ended.
+/// Result of a search.
 struct ThesisSearchResult {
-  bool ended = false; // by itself, in a possible state
+  bool ended = false; // converged to a valid state
   Eigen::VectorXd unknowns;
   double cost = std::numeric_limits<double>::infinity();
-  double sigma = 0; // the largest of an offset, where costs are halves of chi2
+  double sigma = 0; // largest standard deviation of an offset, if costs are chi2 / 2
   bool isBetterThan(const ThesisSearchResult& other) const { return ended && (!other.ended || cost < other.cost); }
 };
 
-/// The solvers of the evaluation, before one error set.
+/// The evaluation's solvers for one error set.
 class ThesisSearch {
 public:
-  /// `pixels`: plain least squares, `whitened`: with our weights and priors, `flat`: with our weights alone, where only
-  /// pixels are noisy, else nullptr. `offsets`: how many of the unknowns are. `numbers`: that were measured.
+  /// `pixels`: plain least squares; `whitened`: with our weights and priors; `flat`: with our weights only, if only
+  /// pixels are noisy, otherwise nullptr. `offsets`: number of offsets among the unknowns. `numbers`: number of
+  /// measured values.
   ThesisSearch(const Residuals& pixels, const Residuals& whitened, const Residuals* flat, std::size_t offsets,
                double numbers, RandomStream& starts)
       : pixels_{pixels}, whitened_{whitened}, flat_{flat}, offsets_{static_cast<Eigen::Index>(offsets)},
@@ -75,7 +76,7 @@ private:
   RandomStream& starts_;
 };
 
-/// Predicted minus measured, all corners.
+/// Predicted minus measured, for all corners; absent if a corner cannot be projected.
 std::optional<Eigen::VectorXd> NumericPixelProblem::pixels(const Eigen::VectorXd& unknowns) const {
   const std::vector<BoardResidual> sightings = residuals_.boardResiduals(residuals_.startState(unknowns));
   Eigen::Index count = 0;
@@ -121,7 +122,7 @@ Eigen::VectorXd ThesisSearch::randomStart() {
 
 template <typename Problem>
 ThesisSearchResult ThesisSearch::search(const Problem& problem, const Residuals::State& start) const {
-  constexpr double smallestFall = 1e-6; // a thousandth of the noise, or of a pixel
+  constexpr double smallestFall = 1e-6; // 0.001 of the noise, or of a pixel
   auto minimum = levenbergMarquardt(problem, start, {.minCostDecrease = smallestFall});
   if (!minimum) {
     return {};
@@ -132,7 +133,7 @@ ThesisSearchResult ThesisSearch::search(const Problem& problem, const Residuals:
           std::sqrt(covariance.diagonal().head(offsets_).maxCoeff())};
 }
 
-/// The best of searches from zero and at random, until three have ended in it; at most fifty (the thesis's number).
+/// The best of searches from zero and random starts, until three agree; at most fifty (as in the thesis).
 ThesisSearchResult ThesisSearch::fromRandomStarts() {
   constexpr int most = 50, enough = 3;
   ThesisSearchResult best = search(pixels_, pixels_.startState(zero()));
@@ -148,11 +149,11 @@ ThesisSearchResult ThesisSearch::fromRandomStarts() {
   return best;
 }
 
-/// From zero; from random starts as well as long as what is left is more than the noise explains (five sigmas of chi2).
-/// Where only pixels are noisy and the pictures alone tell every offset, the prior does not count in the end.
+/// Starts from zero, then from random starts while the cost exceeds the noise (5 sigma of chi2). If only pixels are
+/// noisy and the images alone determine every offset, the final search omits the prior.
 ThesisSearchResult ThesisSearch::solveOurs() {
   constexpr int most = 20;
-  constexpr double needed = 0.01; // of an offset, whose prior has 0.1 [rad]
+  constexpr double needed = 0.01; // offset sigma [rad] below which the images suffice; the prior has 0.1
   ThesisSearchResult best = search(whitened_, whitened_.startState(zero()));
   const double explained = 0.5 * (numbers_ + 5 * std::sqrt(2 * numbers_));
   for (int tries = 1; tries < most && !(best.ended && best.cost < explained); ++tries) {
@@ -168,7 +169,7 @@ ThesisSearchResult ThesisSearch::solveOurs() {
   return best;
 }
 
-/// Costs of a swarm's or dlib's search: as many as these can do in about a second.
+/// Global searches that use costs only, with as many evaluations as fit in about a second.
 ThesisSearchResult ThesisSearch::byCostsOnly(ThesisSolver solver) {
   constexpr std::size_t swarmCalls = 40'000, dlibCalls = 500;
   const CostFunction cost = [this](const Eigen::VectorXd& unknowns) {
@@ -202,13 +203,13 @@ ThesisSearchResult ThesisSearch::solve(ThesisSolver solver) {
 
 namespace {
 
-const double leastError = radians(1); // of offsets that are large [rad]
+const double leastError = radians(1); // smallest offset of `largeErrors` [rad]
 
-/// Flat over the search: ten radians of freedom per offset.
+/// Practically flat prior: sigma of ten radians per offset.
 constexpr double noPrior = 10;
-/// Of mounts and boards, as of simulated robots: each way.
-const double mostTurned = radians(2);               // a camera [rad]
-constexpr double mostShifted = 0.03, mostYaw = 0.1; // a board [m], [rad]
+/// Ranges of mounts and boards as in simulated robots, either sign.
+const double mostTurned = radians(2);               // camera rotation [rad]
+constexpr double mostShifted = 0.03, mostYaw = 0.1; // board shift [m], board yaw [rad]
 
 constexpr Noise onePixel{.pixel = 1, .encoder = 0, .pose = 0};
 
@@ -259,7 +260,8 @@ void ThesisTrial::draw(std::uint64_t seed, std::size_t number) {
   if (!setting_.angleNoise()) {
     flat_.emplace(taken_, plainModel_, noise_);
   }
-  const auto atTruth = pixels_->linearise(pixels_->startState(truth_)).value(); // what is seen lies before the camera
+  // visible corners are in front of the camera
+  const auto atTruth = pixels_->linearise(pixels_->startState(truth_)).value();
   numbers_ = numbersOf(atTruth);
   rmsAtTruth_ = std::sqrt(2 * atTruth.cost / numbers_);
   starts_.emplace(seed, set + ", starts");

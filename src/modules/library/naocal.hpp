@@ -10,9 +10,8 @@
 
 /// naocal as a library: read captures, calibrate, diagnose, write.
 ///
-/// Link `naocal::naocal` (find_package(naocal)). Everything that a person gave wrongly (files, labels) is refused with
-/// an InputError, whose what() is one sentence: where, what was expected, what was found, what to do. All functions may
-/// be called by several threads at once.
+/// Link `naocal::naocal` (find_package(naocal)). Wrong input (files, labels) throws InputError, whose what() is one
+/// sentence: where, what was expected, what was found, what to do. All functions are thread-safe.
 namespace naocal {
 
 /// Capture sets of one robot, and their measurements (with the sets as recorded).
@@ -21,17 +20,18 @@ struct Captures {
   Measurements measurements;
 };
 
-/// Reads folders with a captures.json each. `configuration` holds the robots' descriptions (`drawings/`).
+/// Reads folders with a captures.json each. `configuration` holds the robots' descriptions (`drawings/`). Throws
+/// InputError for an empty list.
 Captures readCaptures(const std::vector<std::filesystem::path>& folders, const std::filesystem::path& configuration);
 
 #ifdef NAOCAL_INSTALLED_CONFIGURATION
-/// The same with the robots' descriptions that were installed beside the library.
+/// The same with the installed robot descriptions.
 inline Captures readCaptures(const std::vector<std::filesystem::path>& folders) {
   return readCaptures(folders, NAOCAL_INSTALLED_CONFIGURATION);
 }
 #endif
 
-/// A model and what the captures say of its unknowns.
+/// A model and the estimates of its unknowns.
 struct Calibrated {
   Model model;
   CalibrationResult result; // verdict, sentence, estimates with their intervals
@@ -41,13 +41,13 @@ struct Calibrated {
 Calibrated calibrate(const Captures& captures, const std::vector<std::string>& effects = {},
                      const CalibrationOptions& options = {});
 
-/// Asks which physical effect is missing in that model.
+/// Tests which physical effects that model lacks.
 Diagnosis diagnose(const Captures& captures, const std::vector<std::string>& effects = {});
 
-/// Writes RESULT.json, whole or not at all.
+/// Writes RESULT.json atomically.
 void writeResult(const Captures& captures, const Calibrated& calibrated, const std::filesystem::path& file);
 
-/// Writes DIAGNOSIS.json, whole or not at all.
+/// Writes DIAGNOSIS.json atomically.
 void writeDiagnosis(const Diagnosis& diagnosis, const std::filesystem::path& file);
 
 } // namespace naocal

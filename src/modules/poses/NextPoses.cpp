@@ -14,8 +14,8 @@ namespace naocal {
 
 namespace {
 
-/// Attitudes of the drawn robot around the boards, approached at random from above or below; where that matters, each
-/// once more the other way.
+/// Random poses of the drawn robot in sight of the boards, with random approaches; with `bothWays` each pose is
+/// repeated with the opposite approach.
 std::vector<ProposedPose> candidates(const Robot& robot, const CaptureSet& set, const std::vector<LocalScene>& around,
                                      bool bothWays, const NextPosesOptions& options) {
   std::mt19937_64 random{options.seed};
@@ -40,7 +40,8 @@ std::vector<ProposedPose> candidates(const Robot& robot, const CaptureSet& set, 
   return result;
 }
 
-/// The poses of the largest gain that can be reached, each beside those before it; `known` gets what they tell.
+/// Greedily selects reachable poses of the largest gain, each given the previous ones; adds their information to
+/// `known`.
 std::vector<std::size_t> greedily(const Discrimination& discrimination, const PlannedInformation& information,
                                   const std::vector<ProposedPose>& poses, ReachabilityCheck reachable,
                                   std::size_t count, Eigen::MatrixXd& known) {
@@ -59,7 +60,7 @@ std::vector<std::size_t> greedily(const Discrimination& discrimination, const Pl
       }
     }
     std::erase(left, next);
-    if (reachable(poses[next])) { // looked at last, because ways take long to look at
+    if (reachable(poses[next])) { // tested last, because planning ways is slow
       information.promised[next].addTo(known);
       chosen.push_back(next);
     }

@@ -11,36 +11,37 @@ namespace naocal {
 
 struct NextPosesOptions {
   std::size_t count = 4;        // poses to propose
-  std::size_t candidates = 300; // stable attitudes to choose from
+  std::size_t candidates = 300; // stable candidate poses
   std::uint64_t seed = 1;
-  double jointError = radians(1.5); // of robots that will take them, whose offsets are known by then (Stability) [rad]
+  double jointError = radians(1.5); // joint error tolerated by the poses; small, as offsets are known by then
+                                    // (BalanceRequirement) [rad]
 };
 
-/// Poses that would best answer what captures leave open.
+/// Poses that best resolve a ModelAmbiguity.
 struct NextPoses {
-  std::vector<ProposedPose> poses; // in the order to take them: drawn at random, so that nothing drifts with them
-  std::string why;                 // as the question's; empty: nothing is open
-  std::string whyNone;             // in words, where poses were asked for and there are none to propose
-  double growth = 1;               // of what tells the suspects apart, with these poses (Discrimination)
-  std::map<std::string, double> predictedSigma; // of joint offsets, with these poses [rad]
+  std::vector<ProposedPose> poses; // in playing order: random, so that drifts do not correlate with them
+  std::string why;                 // ModelAmbiguity::why; empty: nothing is open
+  std::string whyNone;             // reason, if no poses can be proposed; for display
+  double growth = 1;               // growth of the suspects' misfits with these poses (Discrimination::growthFactor)
+  std::map<std::string, double> predictedSigma; // of joint offsets, with these poses, 1 sigma [rad]
 
-  // What that assumes.
+  // Assumptions.
   std::vector<LocalScene> around;
-  std::size_t stable = 0; // attitudes of the drawn robot
-  std::size_t seeing = 0; // those that stand and see a board by the fit, to choose from
-  Noise noise;            // of the fit
-  double samples = 1;     // per pose and camera, as in the captures
-  int firstStance = 0;    // that they are taken in
-  double jointError = 0;  // of robots that stand in them and reach them [rad]
+  std::size_t stable = 0; // stable poses of the drawn robot
+  std::size_t seeing = 0; // those of them in which the fitted robot is balanced and sees a board
+  Noise noise;            // estimated by the fit
+  double samples = 1;     // images per pose and camera, as in the captures
+  int firstStance = 0;    // stance id of the poses
+  double jointError = 0;  // joint error tolerated in the poses and on the ways to them [rad]
 };
 
-/// Chooses among stable poses in sight of the boards (PoseGenerator), on the captures' feet, each approached from above
-/// and from below where that matters: greedily the one with the largest Discrimination::gain beside the captures and
-/// those before it. The measurement model is linearised at the fit, noise as there. The same seed proposes the same.
+/// Selects among stable poses in sight of the boards (PoseSampler), on the captures' support feet; where the approach
+/// matters, from above and from below. Greedy: each pose maximises Discrimination::expectedGain given the captures and
+/// the previous poses. The measurement model is linearised at the fit, with the fit's noise. Reproducible by seed.
 NextPoses proposeNextPoses(const FittedModel& fitted, const ModelAmbiguity& question,
                            const NextPosesOptions& options = {});
 
-/// After a diagnosis: of its last model and what it leaves open.
+/// The same for the last model of a diagnosis and its open question.
 NextPoses proposeNextPoses(const Measurements& measurements, const Diagnosis& diagnosis, const DiagnosisOptions& asked,
                            const NextPosesOptions& options = {});
 

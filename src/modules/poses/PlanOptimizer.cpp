@@ -55,7 +55,7 @@ void PlanRefiner::refineBoards(PlanDraft& draft) {
     const std::size_t i = attempt % draft.boards.size();
     const std::vector<Board> before = draft.boards;
     Placement& place = *draft.boards[i].placement;
-    const double size = 0.3 * step(attempt, attempts); // [m], of a typical move
+    const double size = 0.3 * step(attempt, attempts); // [m], 1 sigma of a move
     std::normal_distribution<double> move;
     place.x += size * move(random_);
     place.y += size * move(random_);
@@ -78,7 +78,7 @@ double PlanRefiner::value(const PlanDraft& draft) const {
   Eigen::MatrixXd sum = score.priorInformation();
   for (const Eigen::MatrixXd& part : score.informationParts(draft.poses)) {
     if (part.leftCols(part.rows()).isZero()) {
-      return std::numeric_limits<double>::infinity(); // a pose that sees nothing
+      return std::numeric_limits<double>::infinity(); // a pose sees no board
     }
     sum += part;
   }
@@ -260,7 +260,8 @@ PlanDraft PlanOptimizer::optimize(const std::vector<Board>& boards, const std::v
   return refineFromStarts(boards, attitudes);
 }
 
-/// Selected for worn robots too, first refined for the drawn one: refining for worn ones takes many times as long.
+/// Selects for perturbed robots too, but refines for the drawn robot first: refining for perturbed robots takes many
+/// times as long.
 PlanDraft PlanOptimizer::refineFromStarts(const std::vector<Board>& boards, const std::vector<ValidPose>& attitudes) {
   const PlanOptions drawn = ofDrawnRobot(options_);
   std::vector<PlanDraft> drafts(options_.starts, PlanDraft{{}, boards});
@@ -306,7 +307,7 @@ PlanDraft PlanOptimizer::quickest(const std::vector<Board>& boards, const std::v
   return best;
 }
 
-/// Refines what is drafted, and once more from what is then the best selection.
+/// Refines a draft; then selects again with the refined poses as additional candidates, and refines once more.
 void PlanOptimizer::refine(PlanDraft& draft, std::vector<ValidPose> attitudes, const PlanOptions& options,
                            std::uint64_t seed) {
   PlanRefiner refinement{robot_, cameras_, options, options.poses.seed + seed};

@@ -14,7 +14,7 @@
 
 namespace naocal {
 
-/// What sets of poses tell of the joint offsets, with the boards where they are.
+/// Evaluates sets of poses by their information about the joint offsets, for fixed boards.
 class PlanEvaluator {
 public:
   PlanEvaluator(const Robot& robot, const std::vector<Board>& boards,
@@ -22,44 +22,44 @@ public:
 
   const PlanningScene& scene() const { return scene_; }
   const PoseCriterion& criterion() const { return judge_; }
-  /// Poses that are taken besides (PlanOptions::kept).
+  /// Poses taken in addition (PlanOptions::kept).
   const std::vector<ValidPose>& keptPoses() const { return kept_; }
 
-  /// The best set of `count` poses that is found by the criterion; the thesis's may be smaller.
+  /// The best set of `count` poses found for the criterion; the thesis's criterion may select fewer.
   std::vector<ValidPose> selectPoses(const std::vector<ValidPose>& candidates, std::size_t count) const;
   Interaction interaction(const std::vector<ValidPose>& poses) const;
 
-  /// By how much chi2 the wrong one of PlanOptions::effects fits worse after these poses (EffectPairCriterion); absent
-  /// where none are named.
+  /// Misfit (chi2) of the wrong one of PlanOptions::effects after these poses (EffectPairCriterion); absent without
+  /// effects.
   std::optional<double> misfit(const std::vector<ValidPose>& poses) const;
 
-  /// Each pose's information, as far as it is judged: of the drawn robot, and beside it of
+  /// Each pose's relevant information: blocks side by side, first for the drawn robot, then for each of
   /// PlanOptions::perturbedRobots.
   std::vector<Eigen::MatrixXd> informationParts(const std::vector<ValidPose>& poses) const;
-  /// That of all of them and what is known before.
+  /// The sum over the poses, plus `priorInformation`.
   Eigen::MatrixXd totalInformation(const std::vector<ValidPose>& poses) const;
-  /// What is known before: priors, and the poses that are kept.
+  /// Priors, plus the information of the kept poses.
   const Eigen::MatrixXd& priorInformation() const { return known_; }
 
-  /// To be made small; `sum` is that of the poses. For `time` the seconds to play them, far more where they do not
-  /// reach the sigma that is asked for.
+  /// Objective to minimise; `sum`: total information of the poses. For `time`: seconds to play them, or a penalty above
+  /// 1e6 if PlanOptions::sigma is not reached.
   double objective(const Eigen::MatrixXd& sum, const std::vector<ValidPose>& poses) const;
-  /// Of an offset of the drawn robot, by a sum [rad].
+  /// Largest standard deviation of an offset of the drawn robot [rad].
   double worstSigma(const Eigen::MatrixXd& sum) const;
 
-  /// Predicted standard deviation per joint's offset for the drawn robot; `known`: cameras' and boards' places are
-  /// [rad].
+  /// Predicted standard deviation of each joint's offset [rad] for the drawn robot; `known`: camera mounts and board
+  /// placements are known.
   std::map<std::string, double> sigmas(const std::vector<ValidPose>& poses, bool known) const;
-  /// The root of the mean variance over 100 robots with joint errors, whose pictures show what the drawn robot's do
-  /// not.
+  /// RMS of the standard deviations over 100 robots with joint errors [rad]; their images differ from the drawn
+  /// robot's.
   std::map<std::string, double> perturbedSigmas(const std::vector<ValidPose>& poses) const;
 
 private:
-  /// What the drawn robot's pictures tell, and those of worn ones on average, together.
+  /// Information of the drawn robot, plus the mean over the perturbed robots.
   Eigen::MatrixXd expectedInformation(const Eigen::MatrixXd& sum) const;
   std::vector<Eigen::MatrixXd> expectedParts(const std::vector<ValidPose>& poses) const;
   std::vector<Eigen::MatrixXd> partsOfDrawn(const std::vector<ValidPose>& poses) const;
-  /// The robot's part of a sum: 0 the drawn one's.
+  /// A robot's block of a sum; 0: drawn robot.
   Eigen::MatrixXd ofRobot(const Eigen::MatrixXd& sum, std::size_t robot) const;
   std::map<std::string, double> nameSigmas(const Eigen::VectorXd& variances) const;
 
@@ -71,27 +71,27 @@ private:
   std::vector<Board> boards_;
   PlanningScene scene_;
   PoseCriterion judge_;
-  std::vector<Eigen::VectorXd> worn_; // errors per joint of the drawing [rad]
+  std::vector<Eigen::VectorXd> worn_; // joint errors per robot, per joint of the drawing [rad]
   std::vector<ValidPose> kept_;
   Eigen::MatrixXd known_;
 };
 
-/// What is being planned: poses, and boards in the support sole's frame.
+/// Draft of a plan: poses, and boards in the support sole's frame.
 struct PlanDraft {
   std::vector<ValidPose> poses;
   std::vector<Board> boards;
 };
 
-/// Moves what is drafted a little, again and again, ever less, as long as that is judged better.
+/// Local random search: perturbs a draft with decreasing step size and keeps improvements.
 class PlanRefiner {
 public:
   PlanRefiner(const Robot& robot, const std::map<std::string, CameraIntrinsics>& cameras, const PlanOptions& options,
               std::uint64_t seed)
       : robot_{robot}, cameras_{cameras}, options_{options}, random_{seed} {}
 
-  /// Each pose in turn, within the ranges that poses are drawn from; it remains valid.
+  /// Moves each pose in turn, within its sampling ranges; poses stay valid.
   void refinePoses(PlanDraft& draft);
-  /// Each board in turn; it remains where a board may lie, and every pose sees one.
+  /// Moves each board in turn; boards stay at allowed places, and every pose sees one.
   void refineBoards(PlanDraft& draft);
 
 private:
@@ -104,17 +104,17 @@ private:
   std::mt19937_64 random_;
 };
 
-/// Searches the poses among candidates, and the boards' places, that a plan's criterion judges best.
+/// Optimises the selection of poses among candidates, and the boards' places, for a plan's criterion.
 class PlanOptimizer {
 public:
-  /// `tell`: what was found on the way, for people.
+  /// `tell`: receives progress messages for display.
   PlanOptimizer(const Robot& robot, const std::map<std::string, CameraIntrinsics>& cameras, const PlanOptions& options,
                 const std::function<void(const std::string&)>& tell)
       : robot_{robot}, cameras_{cameras}, options_{options}, tell_{tell} {}
 
-  /// Begins with the boards where they are. The thesis's criterion and `discriminate` select only; `time` takes as few
-  /// poses as reach its sigma, and more as long as that saves time (InputError where there are none); all others begin
-  /// PlanOptions::starts times, refine, and go on with the best.
+  /// Starts from `boards`. The thesis's criterion and `discriminate` only select. `time` finds the quickest number of
+  /// poses that reaches PlanOptions::sigma (InputError if none does). All others refine PlanOptions::starts selections
+  /// and continue with the best one.
   PlanDraft optimize(const std::vector<Board>& boards, const std::vector<ValidPose>& attitudes);
 
 private:

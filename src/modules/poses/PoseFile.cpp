@@ -22,14 +22,14 @@
 
 namespace naocal {
 
-/// `poses` of POSES.json: each with the seconds from the one before it, where these are known.
+/// The list `poses` of POSES.json; `seconds`: transition time from the previous pose, if known.
 nlohmann::json poseListJson(const std::vector<ProposedPose>& poses, const std::vector<std::optional<double>>& seconds,
                             const Robot& robot);
 
-/// Angles by name, fingers at rest.
+/// Angles by joint name; hands are 0.
 nlohmann::json anglesJson(const Eigen::VectorXd& angles, const Robot& robot);
 
-/// Where boards lie on the floor.
+/// Board placements on the floor.
 nlohmann::json boardsJson(const std::vector<Board>& boards);
 
 nlohmann::json noiseJson(const Noise& noise);
@@ -69,7 +69,7 @@ Json boardsWithTolerances(const PosePlan& plan) {
   return boards;
 }
 
-/// One foot, or both in turn.
+/// The support foot, or both if poses alternate.
 std::string_view supportOf(const PosePlan& plan) {
   const bool one = std::all_of(plan.poses.begin(), plan.poses.end(),
                                [&](const ProposedPose& each) { return each.pose.supportFoot == plan.supportFoot; });
@@ -169,7 +169,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Where boards are thought to lie, seen from the first pose's sole.
+/// Assumed board placements relative to the first pose's support sole.
 Json boardsOf(const NextPoses& next) {
   for (const LocalScene& here : next.around) {
     if (!next.poses.empty() && here.supportFoot == next.poses.front().pose.supportFoot) {
@@ -179,7 +179,7 @@ Json boardsOf(const NextPoses& next) {
   return Json::array();
 }
 
-/// Straight on from one to the next, as slowly as a robot on one foot moves.
+/// Times of direct transitions at the speed used on one foot.
 std::vector<std::optional<double>> secondsBetweenThem(const NextPoses& next, const Robot& robot) {
   std::vector<std::optional<double>> result;
   Eigen::VectorXd before = bentKneesStance(robot);
@@ -284,7 +284,7 @@ nlohmann::json poseListJson(const std::vector<ProposedPose>& poses, const std::v
 
 namespace {
 
-/// The joint of a key, which the robot must have; absent: a finger.
+/// Index of a joint by name; absent for hands. Refuses unknown names.
 std::optional<Eigen::Index> jointOf(const std::string& name, const JsonCursor& place, const Robot& robot) {
   if (std::find(fingers.begin(), fingers.end(), name) != fingers.end()) {
     return std::nullopt;

@@ -17,39 +17,39 @@ namespace naocal {
 /// POSES.json of a plan.
 nlohmann::json planJson(const PosePlan& plan, const Robot& robot);
 
-/// Writes each pose to `<folder>/<id>.pose`, as HULKs' robots read them: 26 angles in radians, joints in the drawing's
-/// order, fingers behind their wrists.
+/// Writes each pose to `<folder>/<id>.pose` in HULKs' format: 26 angles [rad], joints in the drawing's order, each hand
+/// after its wrist.
 void writePoseFiles(const PosePlan& plan, const Robot& robot, const std::filesystem::path& folder);
 
-/// Reads such a file: angles per joint of the drawing [rad]. Throws InputError for one that does not hold 26 angles.
+/// Reads a .pose file: angles per joint of the drawing [rad]. Throws InputError unless it holds 26 angles.
 Eigen::VectorXd readAnglesFile(const std::filesystem::path& file, const Robot& robot);
 
-/// Joints of a NAO that no drawing holds: fingers. Files name them, at rest.
+/// Joints of a NAO that drawings omit: hands. Files list them as 0.
 inline constexpr std::array<std::string_view, 2> fingers{"LHand", "RHand"};
 
-/// A pose as a file has it.
+/// A pose read from a file.
 struct PlayablePose {
   std::string id;
   SupportFoot supportFoot = SupportFoot::left;
-  Eigen::VectorXd angles;   // per joint, to be sent as they are [rad]
-  Eigen::VectorXd approach; // per joint: the motion that ends in the pose, -1 from above, +1 from below, 0 any
+  Eigen::VectorXd angles;   // per joint, motor command without offsets [rad]
+  Eigen::VectorXd approach; // per joint: direction of the final motion, -1 from above, +1 from below, 0 any
 };
 
-/// POSES.json, as far as it takes to play it.
+/// Contents of POSES.json needed to play it.
 struct PoseFile {
-  std::vector<PlayablePose> poses;         // in the order to take them
-  std::map<std::string, Placement> boards; // where they lie, seen from the sole, by id; empty: the file does not say
-  int firstStance = 0;                     // the number of the first stance that they are taken in
-  double jointError = radians(6.5);        // of robots that stand in them and on the way (Stability) [rad]
+  std::vector<PlayablePose> poses;         // in playing order
+  std::map<std::string, Placement> boards; // placement relative to the sole, by id; empty: not in the file
+  int firstStance = 0;                     // id of the first stance
+  double jointError = radians(6.5); // joint error tolerated in the poses and on the ways (BalanceRequirement) [rad]
 };
 
-/// Throws InputError for a file that is none, is of another robot, or holds angles that its joints cannot take.
+/// Throws InputError for an invalid file, another robot model, or angles beyond joint limits.
 PoseFile readPoseFile(const std::filesystem::path& file, const Robot& robot);
 
-/// POSES.json of what was proposed.
+/// POSES.json of proposed poses.
 nlohmann::json posesJson(const NextPoses& next, const Robot& robot);
 
-/// The same as `next` of a diagnosis file: the poses and why.
+/// The poses and the reason for them, as `next` of a diagnosis file.
 nlohmann::json nextPosesJson(const NextPoses& next, const Robot& robot);
 
 } // namespace naocal

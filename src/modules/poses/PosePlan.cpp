@@ -15,14 +15,14 @@
 
 namespace naocal {
 
-/// Adds the mirror image of every pose, taken on the other foot among the same boards, which lie symmetrically
-/// (PlanOptions::mirrored): the feet side by side when the support changes. Sigmas are those of each foot's poses by
-/// themselves, the better one for the head. Throws InputError where a mirror image is no valid pose.
+/// Adds the mirror image of every pose, on the other foot among the same, symmetric boards (PlanOptions::mirrored); the
+/// feet are side by side when the support changes. Sigmas: computed per foot, the smaller one for the head. Throws
+/// InputError if a mirror image is not a valid pose.
 void addMirroredPoses(PosePlan& plan, const Robot& robot, const std::map<std::string, CameraIntrinsics>& cameras);
 
 namespace {
 
-/// The largest size up to `most` at which all is well, in twentieths; assumes that it gets worse all the way.
+/// The largest multiple of most / 20 for which `well` holds; assumes that `well` is monotonic.
 template <typename Well> double largest(double most, const Well& well) {
   constexpr int steps = 20;
   int step = 0;
@@ -40,7 +40,7 @@ std::vector<BoardTolerance> computeBoardTolerances(const Robot& robot, const std
   constexpr double growth = 1.1, farthest = 0.3, mostTurned = std::numbers::pi / 4; // [1], [m], [rad]
   PlanOptions drawn = options;
   drawn.perturbedRobots = 0;
-  const auto worst = [&](const std::vector<Board>& laid) { // absent: a pose sees none
+  const auto worst = [&](const std::vector<Board>& laid) { // absent: a pose sees no board
     const PlanEvaluator score{robot, laid, cameras, drawn};
     const std::vector<Eigen::MatrixXd> parts = score.informationParts(poses);
     const bool blind = std::any_of(parts.begin(), parts.end(), [](const auto& part) { return part.isZero(); });
@@ -112,7 +112,7 @@ std::vector<CriterionResult> compareCriteria(const Robot& robot, const std::vect
 
 namespace {
 
-/// What was told by one foot's poses, and what the other's add.
+/// Merges sigmas, keeping the smaller one per joint.
 void take(std::map<std::string, double>& sigmas, const std::map<std::string, double>& more) {
   for (const auto& [joint, sigma] : more) {
     const auto known = sigmas.try_emplace(joint, sigma).first;
@@ -126,7 +126,7 @@ void addMirroredPoses(PosePlan& plan, const Robot& robot, const std::map<std::st
   PlanOptions options = plan.options;
   const bool left = options.poses.supportFoot == SupportFoot::left;
   options.poses.supportFoot = left ? SupportFoot::right : SupportFoot::left;
-  std::vector<Board> boards = plan.boards; // seen from the other sole
+  std::vector<Board> boards = plan.boards; // relative to the other sole
   for (Board& board : boards) {
     board.placement->y += left ? footDistance : -footDistance;
   }
@@ -161,7 +161,7 @@ void addMirroredPoses(PosePlan& plan, const Robot& robot, const std::map<std::st
 
 namespace {
 
-/// Works on a plan: poses and boards, judged together.
+/// Runs the planning steps on one draft.
 class Planner {
 public:
   Planner(const Robot& robot, std::vector<Board> boards, const std::map<std::string, CameraIntrinsics>& cameras,
@@ -199,7 +199,7 @@ public:
 private:
   PlanEvaluator score() const { return {robot_, draft_.boards, cameras_, options_}; }
 
-  /// On both feet a million attitudes leave a hundred thousand candidates; more of them serve no plan.
+  /// Limits the candidates, evenly: on both feet a million samples give about 100 000 of them, without benefit.
   void thin(std::vector<ValidPose>& attitudes) const {
     if (attitudes.size() > options_.maxCandidates) {
       for (std::size_t i = 0; i < options_.maxCandidates; ++i) {

@@ -6,18 +6,17 @@
 
 namespace naocal {
 
-/// The document in a text, with comments where that is said. Throws nlohmann::json::exception; documents that are
-/// nested so deeply that writing them could exhaust the stack are refused too.
+/// Parses JSON, with comments if `withComments`. Throws nlohmann::json::exception for invalid text and for more than
+/// 100 nesting levels, which could exhaust the stack.
 nlohmann::json parseBoundedJson(std::string_view text, bool withComments = false);
 
-/// What is wrong, without the library's marks: "parse error at line 1, column 7: ...".
+/// An exception's message without the library's prefix: "parse error at line 1, column 7: ...".
 std::string parseErrorReason(const std::exception& error);
 
-/// A value on one line, keys sorted. Bytes that are not UTF-8 are replaced; numbers that JSON does not know become
-/// null.
+/// A value on one line, keys sorted. Replaces invalid UTF-8; NaN and infinity become null.
 std::string jsonText(const nlohmann::json& value);
 
-/// The same with a line break at its end, as HULKs' writer puts it.
+/// `jsonText` with a newline, as HULKs' writer.
 std::string jsonLine(const nlohmann::json& value);
 
 } // namespace naocal

@@ -12,7 +12,7 @@ template <class Integer> void append(std::string& bytes, Integer value) {
   }
 }
 
-/// The integer whose first byte is at `first`.
+/// Little-endian integer at byte `first`.
 template <class Integer> Integer integerAt(std::string_view bytes, std::size_t first) {
   Integer value = 0;
   for (std::size_t i = 0; i < sizeof(Integer); ++i) {

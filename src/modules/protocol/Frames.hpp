@@ -25,23 +25,24 @@ inline constexpr FrameFormat configFormat{"CONF", 2, 12, 5};
 enum class DebugType : std::uint8_t { subscribe, unsubscribe, update, requestList, list, subscribeBulk, image };
 enum class ConfigType : std::uint8_t { set, getMounts, getKeys, save, sendKeys, sendMounts };
 
-/// Why no frame can be read behind a header. A type beyond the format's largest one is none: clients ignore it.
+/// Why a header is invalid. A type beyond `largestType` is not a problem here: clients ignore it.
 enum class FrameProblem { none, magic, version, size };
 
-/// What a header announces. Valid as far as `problem` allows: a wrong magic number says nothing of what follows.
+/// A parsed header. With the problem `magic` the other fields are not set.
 struct FrameHeader {
   std::uint8_t version = 0, type = 0;
   std::uint32_t bodySize = 0; // [bytes]
   FrameProblem problem = FrameProblem::none;
 };
 
-/// `header`: `format.headerSize` bytes. `maxBodyBytes`: the largest body that this side takes.
+/// `header`: `format.headerSize` bytes. `maxBodyBytes`: largest accepted body.
 FrameHeader parseHeader(const FrameFormat& format, std::string_view header, std::uint32_t maxBodyBytes);
 
-/// Why a server refuses a client's frame, its type included: "expected ..., found ..."; empty for a frame in order.
+/// The reason why a server refuses a client's frame, including unknown types: "expected ..., found ..."; empty if
+/// valid.
 std::string describeProblem(const FrameHeader& header, const FrameFormat& format, std::uint32_t maxBodyBytes);
 
-/// Header and body.
+/// A complete frame: header and body.
 std::string encodeFrame(const FrameFormat& format, std::uint8_t type, std::string_view body);
 std::string encodeDebugFrame(DebugType type, std::string_view body = {});
 std::string encodeConfigFrame(ConfigType type, std::string_view body = {});
@@ -54,7 +55,7 @@ struct ImageBody {
 };
 std::string encodeImageBody(const ImageBody& image);
 
-/// Key and file are views of `body`; absent where it ends too early.
+/// Key and file are views into `body`; absent if it is truncated.
 std::optional<ImageBody> parseImageBody(std::string_view body);
 
 } // namespace naocal

@@ -7,9 +7,9 @@
 
 namespace naocal {
 
-/// The joints of a NAO in the order of every list in src/hardware, src/motion and src/brain: HULKs' order. The right
-/// hip yaw-pitch has a place of its own although one motor drives both; hands are 0 (closed) to 1 (open). Source: HULKs
-/// code release 2019, Modules/NaoProvider.h.
+/// The joints of a NAO in HULKs' order, used by every list in src/hardware, src/motion and src/brain. The right hip
+/// yaw-pitch has its own entry although one motor drives both; hands are 0 (closed) to 1 (open). Source: HULKs code
+/// release 2019, Modules/NaoProvider.h.
 inline constexpr std::array<std::string_view, 26> jointNames{
     "HeadYaw",       "HeadPitch",    "LShoulderPitch", "LShoulderRoll", "LElbowYaw",   "LElbowRoll",  "LWristYaw",
     "LHand",         "LHipYawPitch", "LHipRoll",       "LHipPitch",     "LKneePitch",  "LAnklePitch", "LAnkleRoll",
@@ -18,7 +18,7 @@ inline constexpr std::array<std::string_view, 26> jointNames{
 
 inline constexpr std::size_t jointCount = jointNames.size();
 
-/// Where a joint stands in that order; absent for a name that no joint has.
+/// Index of a joint in `jointNames`; absent for an unknown name.
 constexpr std::optional<std::size_t> jointIndex(std::string_view name) {
   for (std::size_t joint = 0; joint < jointCount; ++joint) {
     if (jointNames[joint] == name) {

@@ -19,41 +19,41 @@
 
 namespace naocal {
 
-/// How much alike the first candidates are, which of them the captures cannot tell apart, and that in words; null where
-/// the diagnosis does not say.
+/// Similarity of the first candidates, the pairs that the captures cannot distinguish, and a sentence; null if the
+/// diagnosis has none.
 nlohmann::json aliasesData(const JsonCursor& diagnosis);
 
-/// A curve of a joint's deflection over a driver, in degrees, with the model file that proposes it as an effect beside
-/// those that are `suggested`: it is what they leave.
+/// A curve of a joint's deflection over a driver, in degrees, with a model file that adds it as a custom effect to the
+/// `suggested` ones, whose residual it is.
 nlohmann::json curveJson(const JsonCursor& curve, const nlohmann::json& suggested);
 
-/// The cells of the joint x driver map, where the diagnosis has one.
+/// The cells of the joint x driver map; empty if the diagnosis has none.
 nlohmann::json mapJson(const JsonCursor& diagnosis);
 
-/// The verdicts that a diagnosis can have, and what it can say of a candidate, as its file writes them.
+/// All verdicts and candidate states, as diagnosis files name them.
 const std::vector<std::string_view>& verdicts();
 const std::vector<std::string_view>& candidateStates();
 
-/// The verdict in a few plain words.
+/// The verdict as a headline.
 std::string verdictHeadline(const JsonCursor& diagnosis);
 
-/// What makes the floor under the errors: noise, and the scatter of joints where the last model needs some.
+/// Name of the noise floor: with joint scatter if the last model needs it.
 std::string noiseFloorName(const JsonCursor& diagnosis);
 
-/// What the verdict rests on: the error on poses not seen, the alarm, the lack of fit, scatter.
+/// The figures behind the verdict: held-out error, false-alarm probability, lack of fit, scatter.
 std::vector<Fact> diagnosisFacts(const JsonCursor& diagnosis);
 
-/// Adds what the figures of a diagnosis show beside its candidates, in units that people read: which captures belong to
-/// each pose, the cameras, how much alike the first candidates are. What the file does not have stays empty or null.
+/// Adds the data of a diagnosis's figures, except its candidates, in display units: captures of each pose, cameras,
+/// similarity of the first candidates. Data missing in the file stay empty or null.
 void addFiguresData(const JsonCursor& diagnosis, nlohmann::json& data);
 
-/// Adds to a candidate its added-variable plot, a point (pose or null, signature, residual) for each pose, and what it
-/// would look like. What the file does not have is null. `figures`: as `addFiguresData` made it.
+/// Adds a candidate's added-variable plot, one point (pose or null, signature, residual) per pose, and its effect on
+/// images. Data missing in the file are null. `figures`: from the other overload.
 void addFiguresData(const JsonCursor& entry, const nlohmann::json& figures, nlohmann::json& candidate);
 
-/// Adds what a diagnosis's models leave over ("given", and "last" where something was added), in units that people
-/// read: per joint the deflections that would explain it, and what stays within the pictures; and the drivers that were
-/// recorded. What the file does not have stays empty or null. `data` has the pictures.
+/// Adds the residuals of a diagnosis's models ("given", and "last" if something was added), in display units: per joint
+/// the deflections that would explain them, and residuals within images; and the recorded drivers. Data missing in the
+/// file stay empty or null. `data` must contain the images.
 void addResidualViewsData(const JsonCursor& diagnosis, nlohmann::json& data);
 
 using nlohmann::json;
@@ -62,12 +62,12 @@ namespace {
 
 constexpr Range share{0, 1, ""};
 
-/// How much alike the first candidates are, as the file has it.
+/// Similarity matrix of the first candidates.
 struct Aliases {
   std::vector<std::string> candidates;
   std::vector<std::vector<double>> alike;
 
-  /// The pair that is most alike, of all or of those with one candidate.
+  /// The most similar pair, of all candidates or of those with one given candidate.
   std::pair<std::size_t, std::size_t> closest(std::optional<std::size_t> with = {}) const {
     std::pair<std::size_t, std::size_t> best{0, 1};
     double most = -1;
@@ -83,7 +83,7 @@ struct Aliases {
   }
 };
 
-/// Of the pairs that cannot be told the one that takes most.
+/// The confusable pair that needs the most additional data.
 std::string confusedSentence(const std::vector<JsonCursor>& confusable) {
   const auto times = [](const JsonCursor& pair) { return pair.at("timesTheData").number(anyNumber); };
   const JsonCursor& hardest =
@@ -99,7 +99,7 @@ std::string confusedSentence(const std::vector<JsonCursor>& confusable) {
                          : "both happen to explain them almost as well; further captures will tell");
 }
 
-/// What the matrix means, in words. `taken`: what was added to the model.
+/// Summary of the matrix. `taken`: labels added to the model.
 std::string aliasSentence(const Aliases& aliases, const std::vector<JsonCursor>& confusable,
                           const std::vector<std::string>& taken) {
   if (!confusable.empty()) {
@@ -160,7 +160,7 @@ using nlohmann::json;
 
 namespace {
 
-/// The unit of a driver by its name in expressions: "rad" for "q" and "LHipPitch", "Nm" for "tau_LHipPitch".
+/// Unit of a driver by its name in expressions: "rad" for "q" and "LHipPitch", "Nm" for "tau_LHipPitch".
 std::string driverUnit(const std::string& driver) {
   static const std::map<std::string, std::string> own{
       {"tau", "Nm"}, {"approach", "1"}, {"T", "°C"}, {"qd", "rad/s"}, {"t", "s"}};
@@ -168,7 +168,7 @@ std::string driverUnit(const std::string& driver) {
   return known != own.end() ? known->second : driver.starts_with("tau_") ? "Nm" : "rad";
 }
 
-/// The curve's proposed expression as a model file, beside what else was suggested.
+/// A model file with the curve's expression as a custom effect and the labels `with`.
 json modelFile(const JsonCursor& effect, std::vector<std::string> with) {
   with.push_back(fmt::format("{}@{}", effect.at("name").text(), effect.at("at").text()));
   return modelFileJson(with, {}, json::array({effect.value()}));
@@ -180,10 +180,10 @@ json curveJson(const JsonCursor& curve, const json& suggested) {
   const std::string joint = curve.at("at").text(), driver = curve.at("driver").text();
   const auto about = curve.find("about");
   const auto valueUnit = curve.find("unit");
-  const auto [shown, size] = displayUnit(valueUnit ? valueUnit->text() : "rad"); // of what varies
-  const bool within = shown != "°"; // pictures: a board's shape or a lens, over places there
+  const auto [shown, size] = displayUnit(valueUnit ? valueUnit->text() : "rad"); // unit of the curve's values
+  const bool within = shown != "°"; // residual within images: board shape or lens, over places there
   const auto [unit, scale] = displayUnit(within ? (shown == "px" ? "px" : "m") : driverUnit(driver));
-  const auto effect = curve.find("effect"); // only joints' curves are written as one
+  const auto effect = curve.find("effect"); // only for joints' curves
   json points = json::array();
   for (const JsonCursor& point : curve.at("curve").elements()) {
     const std::vector<double> values = point.numbers(3, anyNumber, "driver, deflection, standard error");
@@ -227,7 +227,7 @@ using nlohmann::json;
 
 namespace {
 
-/// A number, or null where the diagnosis has none.
+/// A number; null if the diagnosis has none.
 json numberOrNull(const JsonCursor& place, double scale = 1) {
   return place.value().is_null() ? json(nullptr) : json(scale * place.number(anyNumber));
 }
@@ -244,7 +244,7 @@ json sizesJson(const JsonCursor& unknowns) {
   json sizes = json::array();
   for (const auto& [name, unknown] : unknowns.members()) {
     const auto [unit, scale] = displayUnit(unknown.at("unit").text());
-    const auto told = unknown.find("told"); // files of earlier versions have none
+    const auto told = unknown.find("told"); // absent in files of earlier versions
     sizes.push_back({{"name", name},
                      {"unit", unit},
                      {"told", !told || told->boolean()},
@@ -289,7 +289,7 @@ json stepJson(const JsonCursor& step) {
           {"alarm", step.at("alarm").number({0, 1, ""})}};
 }
 
-/// Why something looks wrong, with its capture.
+/// The reason of a suspicion, with its capture.
 json suspicionJson(const JsonCursor& entry) {
   const std::string why = entry.at("why").text();
   const auto capture = entry.find("capture");
@@ -301,7 +301,7 @@ json suspicionJson(const JsonCursor& entry) {
 
 json diagnosisData(const JsonCursor& diagnosis) {
   const auto defined = diagnosis.find("define");
-  const bool own = defined && !defined->elements().empty(); // the last of what is suggested
+  const bool own = defined && !defined->elements().empty(); // custom effect, last of the suggested ones
   json named = texts(diagnosis.at("suggested"));
   if (own && !named.empty()) {
     named.erase(named.size() - 1);
@@ -325,7 +325,7 @@ json diagnosisData(const JsonCursor& diagnosis) {
   list("curves", "drivers", [&](const JsonCursor& curve) { return curveJson(curve, named); });
   list("suspicious", "suspicious", suspicionJson);
   const auto next = diagnosis.find("next");
-  if (next && !next->value().is_null() && next->at("why").value() != "") { // else nothing is open
+  if (next && !next->value().is_null() && next->at("why").value() != "") { // otherwise nothing is open
     data["next"] = {{"poses", next->at("poses").elements().size()}, {"why", next->at("why").text()}};
   }
   data["facts"] = json::array();
@@ -340,7 +340,7 @@ namespace {
 constexpr Range probability{0, 1, ""};
 constexpr Range pixels{0, 1e9, "px"};
 
-/// By which the last model's joints deflect at random from pose to pose [rad].
+/// Joint scatter from pose to pose in the last model, 1 sigma [rad].
 double scatterOf(const JsonCursor& diagnosis) {
   return diagnosis.at("poseScatter").number({0, 10, "rad"});
 }
@@ -365,7 +365,7 @@ Fact heldOutFact(const std::vector<JsonCursor>& all, const std::string& floor) {
               noise + "."};
 }
 
-/// `found`: something that these candidates are not, within pictures.
+/// `found`: the verdict is something other than a candidate, found by its own test.
 Fact alarmFact(double alarm, bool found) {
   if (alarm <= 0.05) {
     return {chance(alarm), "is the chance that noise alone looks this convincing."};
@@ -410,7 +410,7 @@ std::string noiseFloorName(const JsonCursor& diagnosis) {
 
 std::vector<Fact> diagnosisFacts(const JsonCursor& diagnosis) {
   const std::vector<JsonCursor> steps = diagnosis.at("steps").elements();
-  if (steps.empty()) { // nothing could be fitted
+  if (steps.empty()) { // no fit was possible
     return {};
   }
   const double scatter = scatterOf(diagnosis);
@@ -435,12 +435,12 @@ std::vector<JsonCursor> elementsOf(const JsonCursor& object, const std::string& 
   return list ? list->elements() : std::vector<JsonCursor>{};
 }
 
-/// One of the entries of a list of the page.
+/// Index of an entry in a list of the page.
 int placeIn(const json& list, const JsonCursor& place) {
   return place.integer(0, static_cast<int>(list.size()) - 1);
 }
 
-/// Pictures (capture, camera, pose), poses (set, name, pictures) and cameras (width, height).
+/// Adds images (capture, camera, pose), poses (set, name, images) and cameras (width, height).
 void addTaken(const JsonCursor& diagnosis, json& data) {
   data["pictures"] = data["poses"] = json::array();
   data["cameras"] = json::object();
@@ -538,7 +538,7 @@ std::size_t pictureAt(const JsonCursor& place, const json& data) {
   return static_cast<std::size_t>(place.integer(0, static_cast<int>(data["pictures"].size()) - 1));
 }
 
-/// A driver, its value at each picture; `joint` where it can only drive that one.
+/// A driver with its value at each image; `joint` if it can affect only that one.
 json driverData(const JsonCursor& driver, std::size_t pictures) {
   const auto [unit, scale] = displayUnit(driver.at("unit").text());
   json values = json::array();
@@ -552,7 +552,7 @@ json driverData(const JsonCursor& driver, std::size_t pictures) {
           {"values", std::move(values)}};
 }
 
-/// Per joint a list of (pictures, deflection and its standard error in degrees).
+/// Per joint a list of (images, deflection and its standard error in degrees).
 json whatIfData(const JsonCursor& list, const json& data) {
   json result = json::array();
   for (const JsonCursor& joint : list.elements()) {
@@ -573,7 +573,7 @@ json whatIfData(const JsonCursor& list, const json& data) {
   return result;
 }
 
-/// Cells (camera, u, v, du, dv, sigma, corners, worst picture) and boards (picture, board, distance, rms).
+/// Cells (camera, u, v, du, dv, sigma, corners, worst image) and boards (image, board, distance, rms).
 json withinData(const JsonCursor& within, const json& data) {
   json cells = json::array(), boards = json::array();
   for (const JsonCursor& cell : within.at("cells").elements()) {

@@ -6,7 +6,7 @@
 
 namespace naocal {
 
-/// What the page about a diagnosis file shows, in units that people read.
+/// Data of a diagnosis page, in display units. Throws InputError for an invalid file.
 nlohmann::json diagnosisData(const JsonCursor& diagnosis);
 
 } // namespace naocal

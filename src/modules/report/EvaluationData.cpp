@@ -12,7 +12,7 @@ using nlohmann::json;
 
 namespace {
 
-/// Shares by tolerance, in ascending order.
+/// Shares by tolerance, ascending.
 std::vector<std::pair<double, double>> byTolerance(const JsonCursor& shares) {
   std::vector<std::pair<double, double>> result;
   for (const auto& [tolerance, part] : shares.members()) {
@@ -30,7 +30,7 @@ json sharesOf(const JsonCursor& shares) {
   return result;
 }
 
-/// "boards, 3 poses, both (encoder)": what a cell's setting is called.
+/// Display name of a cell's setting: "boards, 3 poses, both (encoder)".
 std::string nameOf(const JsonCursor& cell) {
   const std::string noise = cell.at("noise").text();
   const int samples = cell.at("samples").integer(1, 1000), poses = cell.at("poses").integer(1, 1000);
@@ -49,7 +49,7 @@ json histogram(const JsonCursor& counts, const JsonCursor& bins) {
           {"width", bins.at("widthDegrees").number({0, 180, "deg"})}};
 }
 
-/// Cells of one name together, in the file's order: a solver each.
+/// Groups cells by name, in the file's order; one cell per solver.
 std::vector<std::pair<std::string, std::vector<JsonCursor>>> grouped(const std::vector<JsonCursor>& cells,
                                                                      std::string (*name)(const JsonCursor&)) {
   std::vector<std::pair<std::string, std::vector<JsonCursor>>> result;

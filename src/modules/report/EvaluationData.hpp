@@ -6,7 +6,7 @@
 
 namespace naocal {
 
-/// What the page about an evaluation (EVALUATION.json) shows. Throws InputError with the place of whatever is missing.
+/// Data of an evaluation page (EVALUATION.json). Throws InputError with the place of missing or invalid data.
 nlohmann::json evaluationData(const JsonCursor& evaluation);
 
 } // namespace naocal

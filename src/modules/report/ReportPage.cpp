@@ -19,11 +19,11 @@ using nlohmann::json;
 
 namespace {
 
-/// JSON that cannot end the script element it stands in, whatever names it holds.
+/// JSON text that cannot close its script element.
 std::string harmless(const json& data) {
   std::string text;
   for (const char letter : data.dump(-1, ' ', false, json::error_handler_t::replace)) {
-    if (letter == '<') { // in JSON only within texts
+    if (letter == '<') { // in JSON only inside strings
       text += "\\u003c";
     } else {
       text += letter;
@@ -32,7 +32,7 @@ std::string harmless(const json& data) {
   return text;
 }
 
-/// The frame with its {{places}} filled; what is filled in is not looked at again.
+/// The frame with its {{placeholders}} replaced; replacements are not scanned again.
 std::string filled(std::string_view frame, const std::map<std::string_view, std::string_view>& parts) {
   std::string page;
   for (std::size_t open = frame.find("{{"); open != frame.npos; open = frame.find("{{")) {

@@ -5,11 +5,11 @@
 
 namespace naocal {
 
-/// A result of 'naocal solve' or a diagnosis of 'naocal diagnose' as one HTML page that needs nothing else: no network,
-/// no other file. Of a result it holds the verdict, every estimate with its error bar, and every corner's residual as
-/// figures; photographs and joint angles are taken from the captures where those are still there. Of a diagnosis it
-/// holds the verdict, the ladder of errors, every candidate, and the curves that joints follow. Throws InputError for
-/// what is neither.
+/// Renders a result of 'naocal solve', a diagnosis of 'naocal diagnose' or an evaluation of 'naocal evaluate thesis' as
+/// one self-contained HTML page: no network, no other file. A result page has the verdict, every estimate with its
+/// error bar, and every corner's residual as figures; photographs and joint angles come from the captures if available.
+/// A diagnosis page has the verdict, the errors of all models, every candidate, and the curves of joints. Throws
+/// InputError for other files.
 std::string renderReport(const std::filesystem::path& file);
 
 } // namespace naocal

@@ -28,7 +28,8 @@ std::string spaced(const std::string& name) {
   return words;
 }
 
-/// The answer over what could be missing, where that was asked; else that of the model as it is, which is `fitted`.
+/// The averaged estimate if alternative models were tested, otherwise that of the model, which is also given as
+/// `fitted`.
 json estimateJson(const std::string& name, const JsonCursor& unknown, double scale) {
   const auto averaged = unknown.find("averaged");
   const JsonCursor& answer = averaged ? *averaged : unknown;
@@ -68,7 +69,7 @@ using nlohmann::json;
 
 namespace {
 
-/// The pictures, worst first, with what was photographed as long as the page stays small enough to be sent around.
+/// The images, worst first; includes photographs up to a total size that keeps the page small.
 json picturesJson(const std::vector<PictureRecord>& seen, const SourceCaptures& sources) {
   constexpr std::size_t mostPhotographs = 3'000'000; // [bytes]
   json pictures = json::array();
@@ -134,7 +135,7 @@ double roundToDecimals(double value, int decimals) {
 
 namespace {
 
-/// u and v of every corner, one after the other.
+/// u and v of all corners in sequence.
 json flat(const Eigen::Matrix2Xd& points, int decimals) {
   json list = json::array();
   for (const double value : points.reshaped()) {
@@ -200,7 +201,7 @@ Fact noiseFact(const JsonCursor& noise) {
                            : "partly assumed, because no pose was taken more than once")};
 }
 
-/// The noise floor, and how often noise alone would look as if something were missing.
+/// The noise floor, and how often noise alone would give such evidence for a missing effect.
 Fact misfitFact(const JsonCursor& result) {
   const double p = numberAt(result, "pValue");
   const std::string chance =

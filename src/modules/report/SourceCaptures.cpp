@@ -20,7 +20,7 @@ namespace naocal {
 
 namespace {
 
-/// A list of [u, v]; predictions may lie far outside the picture.
+/// A list of [u, v]; predictions may lie far outside the image.
 Eigen::Matrix2Xd points(const JsonCursor& place, std::size_t count) {
   const std::vector<JsonCursor> entries = place.elements();
   if (entries.size() != count) {
@@ -106,7 +106,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The folder as it was given to 'naocal solve', or seen from the result file.
+/// The folder as recorded, otherwise relative to the result file.
 std::optional<fs::path> found(const fs::path& folder, const fs::path& resultFile) {
   for (const fs::path& candidate : {folder, resultFile.parent_path() / folder}) {
     std::error_code ignored;
@@ -186,7 +186,7 @@ std::optional<double> SourceCaptures::nominalRms() const {
   try {
     const Robot robot = loadRobot(configurationDirectory(), sets.front().model);
     return compare(StoredResult{}, sets, robot, false).nominal.rmsPx;
-  } catch (const InputError&) { // no drawing of this robot here, or one that cannot see these corners
+  } catch (const InputError&) { // no drawing of this robot, or corners behind a camera
     return std::nullopt;
   }
 }
@@ -194,7 +194,7 @@ std::optional<double> SourceCaptures::nominalRms() const {
 namespace {
 
 std::string base64(std::string_view bytes) {
-  std::string text(4 * ((bytes.size() + 2) / 3) + 1, '\0'); // OpenSSL ends it with a zero
+  std::string text(4 * ((bytes.size() + 2) / 3) + 1, '\0'); // OpenSSL appends a zero byte
   EVP_EncodeBlock(reinterpret_cast<unsigned char*>(text.data()), reinterpret_cast<const unsigned char*>(bytes.data()),
                   static_cast<int>(bytes.size()));
   text.pop_back();
@@ -213,7 +213,7 @@ std::optional<std::string> makeThumbnail(const std::filesystem::path& file) {
       cv::resize(grey, grey, {widest, std::max(1, cvRound(scale * grey.rows))}, 0, 0, cv::INTER_AREA);
     }
     return "data:image/jpeg;base64," + base64(encodeJpeg({grey.data, grey.total()}, grey.cols, grey.rows, 70));
-  } catch (const InputError&) { // lost or broken: the report does without
+  } catch (const InputError&) { // missing or broken file: no thumbnail
     return std::nullopt;
   }
 }

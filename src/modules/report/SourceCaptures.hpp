@@ -12,17 +12,17 @@
 
 namespace naocal {
 
-/// One board in one picture: where its corners were measured and where a result puts them. One column per corner.
+/// One board in one image: measured and predicted corners. One column per corner.
 struct BoardInPicture {
   std::string board;
   std::vector<int> ids;
   Eigen::Matrix2Xd measured;  // [px]
-  Eigen::Matrix2Xd predicted; // with the joints' readings as they are [px]
-  Eigen::Matrix2Xd fitted;    // with the readings moved as far as their noise allows [px]
-  std::vector<double> weight; // 0..1: how far each corner counted
+  Eigen::Matrix2Xd predicted; // with joint readings as they are [px]
+  Eigen::Matrix2Xd fitted;    // with readings adjusted within their noise [px]
+  std::vector<double> weight; // 0..1, weight of each corner
 };
 
-/// One picture as a result file tells it.
+/// One image in a result file.
 struct PictureRecord {
   std::string set;
   int capture = 0;
@@ -31,33 +31,33 @@ struct PictureRecord {
   double time = 0; // [s]
   std::string camera;
   int width = 640, height = 480; // [px]
-  std::string image;             // relative to the set's folder; empty: none kept
+  std::string image;             // relative to the set's folder; empty: not stored
   std::vector<BoardInPicture> boards;
 
   /// sqrt(mean |predicted - measured|^2) over all corners [px].
   double rms() const;
 };
 
-/// The pictures of a result file, worst first. Throws InputError with place, what was expected and found.
+/// The images of a result file, worst first. Throws InputError with place, expectation and finding.
 std::vector<PictureRecord> readPictures(const JsonCursor& result);
 
-/// The capture sets that a result was made of, as far as they are still there.
+/// The capture sets of a result, as far as they are still available and unchanged (SHA-256).
 class SourceCaptures {
 public:
-  /// Looks for the folders that the result names, as they are written and beside the result file.
+  /// Looks for the result's folders at the recorded path and relative to the result file.
   SourceCaptures(const JsonCursor& result, const std::filesystem::path& resultFile);
 
-  /// Joint readings of a picture by joint name [rad]; empty when its set is gone or has changed.
+  /// Joint readings of an image by joint name [rad]; empty if its set is unavailable or has changed.
   std::map<std::string, double> angles(const PictureRecord& picture) const;
 
-  /// The file of a picture that was kept; absent when its set is gone or has changed.
+  /// The stored file of an image; absent if its set is unavailable or has changed.
   std::optional<std::filesystem::path> image(const PictureRecord& picture) const;
 
-  /// Rms distance of the corners from what the drawing alone predicts, floor boards where they fit best [px].
-  /// Absent when a set is gone or has changed.
+  /// RMS error of the corners with the drawing alone, floor boards fitted [px]. Absent if a set is unavailable or has
+  /// changed.
   std::optional<double> nominalRms() const;
 
-  /// One sentence per set that could not be read again.
+  /// One sentence per unavailable set.
   const std::vector<std::string>& unavailable() const { return missing_; }
 
 private:
@@ -65,11 +65,11 @@ private:
     std::filesystem::path folder;
     CaptureSet set;
   };
-  std::map<std::string, Source> unchanged_; // by the set's name
+  std::map<std::string, Source> unchanged_; // by set name
   std::vector<std::string> missing_;
 };
 
-/// A picture as a data URI: grey, JPEG, at most 640 px wide. Absent when the file is not a picture.
+/// An image as a data URI: grey, JPEG, at most 640 px wide. Absent if the file is not an image.
 std::optional<std::string> makeThumbnail(const std::filesystem::path& file);
 
 } // namespace naocal

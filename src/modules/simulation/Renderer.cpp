@@ -15,28 +15,27 @@
 
 namespace naocal {
 
-/// Paints flat things over a picture of the floor, row after row: the mean brightness over each pixel's area and the
-/// time for which it is exposed.
+/// Renders flat objects over the floor, row by row: mean brightness over each pixel's area and exposure time.
 class RowRenderer {
 public:
-  /// `rays`: (x, y) at z = 1 through the corners of all pixels, row after row; `width`: pixels in a row.
+  /// `rays`: (x, y) at z = 1 through all pixel corners, row by row; `width`: pixels per row.
   RowRenderer(const std::vector<FlatObject>& flats, const std::vector<Eigen::Vector2f>& rays, int width);
 
-  /// `brightness`: of the floor in the row's pixels, then of what is seen there. It is exposed from `begin` to `end`,
-  /// shares of the span between the first and the last instant; all the same where nothing moves.
+  /// `brightness`: in: floor, out: scene, per pixel of the row. The row is exposed from `begin` to `end`, fractions of
+  /// the span between the first and the last instant; ignored for static scenes.
   void paint(int y, float begin, float end, float* brightness);
 
 private:
-  static constexpr int samples = 16; // one in each of 16 rows and 16 columns of the pixel, and in each 16th of the time
+  static constexpr int samples = 16; // one per 1/16 row, 1/16 column and 1/16 of the exposure
 
-  /// One flat thing in the row: its cells seen through the pixels' corners when exposure begins and ends, above and
-  /// below, and its place at each sample's time.
+  /// A flat object in the row: its cells at the pixel corners at the start and the end of exposure, upper and lower
+  /// edge, and its pose at each sample time.
   struct Candidate {
     const FlatObject* flat;
     std::array<std::vector<std::size_t>, 4> cells;
-    std::vector<Eigen::Matrix3f> planeFromRay; // one where nothing moves
+    std::vector<Eigen::Matrix3f> planeFromRay; // one for static scenes
   };
-  /// What it shows all over a pixel, for all the time; absent where that varies.
+  /// Its brightness if constant over a pixel and its exposure; otherwise absent.
   static std::optional<float> uniform(const Candidate& candidate, int x);
   void prepare(Candidate& candidate, int y, float begin, float end) const;
   float sampleTexture(int x, int y, float floor) const;
@@ -48,14 +47,14 @@ private:
   int width_;
   bool moves_;
   std::vector<Candidate> all_;
-  std::vector<const Candidate*> mixed_; // in the pixel that is sampled, from front to back
+  std::vector<const Candidate*> mixed_; // in the sampled pixel, front to back
 };
 
-/// A value per pixel, row after row: blotches of several sizes with mean 0 and standard deviation about 1, fixed to the
-/// picture.
+/// Noise texture per pixel, row by row: patches of several sizes, mean 0, standard deviation about 1, fixed to the
+/// image.
 std::vector<float> floorTexture(int width, int height, std::mt19937_64& random);
 
-/// What the lens and the sensor make of the light (0 ink, 1 paper) that falls on the pixels.
+/// Applies lens and sensor to the light (0 ink, 1 paper) on the pixels.
 GreyPicture developImage(std::vector<float> light, int width, int height, const Appearance& appearance,
                          std::mt19937_64& random);
 
@@ -100,7 +99,7 @@ std::optional<Eigen::Vector2d> projectOptical(const Eigen::Vector3d& pointInCame
     return std::nullopt;
   }
   const Eigen::Vector2d uv = pixelOfPoint(pointInCameraOptical, intrinsics);
-  // Far outside of what the lens was described for, its polynomial folds back into the picture.
+  // Far outside the calibrated field, the distortion polynomial folds back into the image.
   const bool folded = (rayThroughPixel(uv, intrinsics) - pointInCameraOptical.hnormalized()).norm() > 1e-6;
   const bool inside =
       uv.x() >= -0.5 && uv.y() >= -0.5 && uv.x() < intrinsics.width - 0.5 && uv.y() < intrinsics.height - 0.5;
@@ -123,24 +122,24 @@ BoardCorners trueCorners(const RenderedBoard& board, const CameraIntrinsics& int
 
 namespace {
 
-/// A flat thing's opposite corners in its own frame.
+/// Opposite corners of a flat object in its own frame.
 struct Outline {
   Eigen::Vector2d lower, upper;
 };
 
-/// Adds where a flat thing is at one more instant.
+/// Adds a flat object's pose at one more instant.
 void addInstant(FlatObject& flat, const RigidTransform& opticalFromFlat, const Outline& outline,
                 const CameraIntrinsics& camera) {
   Eigen::Matrix3d rayFromPlane;
   rayFromPlane << opticalFromFlat.rotation.leftCols<2>(), opticalFromFlat.translation;
   flat.planeFromRay.push_back(rayFromPlane.inverse().cast<float>());
-  constexpr int steps = 16; // along a side: distortion bends it
+  constexpr int steps = 16; // per side: distortion bends the edge
   for (int i = 0; i < 4 * steps; ++i) {
     const double share = double(i % steps) / steps;
     const Eigen::Vector2d along[4] = {{share, 0}, {1, share}, {1 - share, 1}, {0, 1 - share}};
     const Eigen::Vector2d p = outline.lower + along[i / steps].cwiseProduct(outline.upper - outline.lower);
     const Eigen::Vector3d seen = opticalFromFlat * Eigen::Vector3d{p.x(), p.y(), 0};
-    if (seen.z() < 0.01 || seen.head<2>().norm() > 2 * seen.z()) { // too far aside to tell: look everywhere
+    if (seen.z() < 0.01 || seen.head<2>().norm() > 2 * seen.z()) { // too far off-axis: covers the whole image
       flat.left = flat.top = 0;
       flat.right = camera.width - 1;
       flat.bottom = camera.height - 1;
@@ -198,7 +197,7 @@ std::vector<FlatObject> prepareFlats(const std::vector<RenderedScene>& scenes, c
 
 namespace {
 
-/// OpenCV's five-term distortion of a point at z = 1.
+/// OpenCV's five-parameter distortion of a point at z = 1.
 Eigen::Vector2d distort(const Eigen::Vector2d& p, const std::array<double, 5>& distortion) {
   const auto& [k1, k2, p1, p2, k3] = distortion;
   const double r2 = p.squaredNorm();
@@ -240,8 +239,8 @@ float cellBrightness(const FlatObject& flat, std::size_t cell) {
   return cell == behindCamera ? -1 : flat.painting->brightness(cell, flat.fromBehind);
 }
 
-/// A number in [0, 1) that looks random, from a pixel's place: it shifts the pixel's samples so that no edge meets the
-/// same ones in all pixels.
+/// Hash of a pixel's coordinates to [0, 1): shifts its samples, so that edges do not meet the same sample pattern in
+/// all pixels.
 float scatter(unsigned x, unsigned y) {
   unsigned hash = x * 0x9e3779b1u ^ y * 0x85ebca77u;
   hash = (hash ^ (hash >> 15)) * 0x2c1b3c6du;
@@ -275,7 +274,7 @@ void RowRenderer::prepare(Candidate& candidate, int y, float begin, float end) c
   const Eigen::Matrix3f first = moves_ ? flat.at(begin) : flat.planeFromRay.front();
   const Eigen::Matrix3f last = moves_ ? flat.at(end) : first;
   if (!moves_ && y > flat.top) {
-    candidate.cells[0].swap(candidate.cells[1]); // what was below is above now
+    candidate.cells[0].swap(candidate.cells[1]); // the previous row's lower edge
   } else {
     look(candidate.cells[0], y, first);
   }
@@ -302,7 +301,7 @@ std::optional<float> RowRenderer::uniform(const Candidate& candidate, int x) {
   return cellBrightness(flat, cell);
 }
 
-/// The mean over samples of the pixel's area and time; those that hit nothing see the floor.
+/// Mean over samples in the pixel's area and exposure; samples that hit no object see the floor.
 float RowRenderer::sampleTexture(int x, int y, float floor) const {
   constexpr std::array<int, samples> rows{0, 8, 4, 12, 2, 10, 6, 14, 1, 9, 5, 13, 3, 11, 7, 15};
   const Eigen::Vector2f& corner = ray(x, y);
@@ -382,7 +381,8 @@ GreyPicture developImage(std::vector<float> light, int width, int height, const 
     cv::GaussianBlur(image, image, {}, appearance.blur);
   }
   if (appearance.noise > 0) {
-    boost::random::normal_distribution<float> noise{0, float(appearance.noise)}; // half the time of the standard's
+    // twice as fast as std::normal_distribution
+    boost::random::normal_distribution<float> noise{0, float(appearance.noise)};
     std::for_each(image.begin(), image.end(), [&](float& grey) { grey += noise(random); });
   }
   cv::Mat1b grey;

@@ -13,7 +13,7 @@ namespace naocal {
 
 namespace {
 
-constexpr double gapFriction = 0.3; // of a gear whose play load can take up [Nm]
+constexpr double gapFriction = 0.3; // of a gear whose play the load can take up [Nm]
 
 } // namespace
 

@@ -8,7 +8,7 @@ namespace naocal {
 
 namespace {
 
-constexpr std::size_t strips = 5; // before the sheet, its margin, the pattern, the margin behind it, behind the sheet
+constexpr std::size_t strips = 5; // outside, margin, pattern, margin, outside
 
 std::size_t strip(float place, float margin, float length) {
   if (place < 0) {
@@ -49,7 +49,8 @@ public:
       return stripX + strips * stripY;
     }
     const float column = x / squareLength_, row = down / squareLength_;
-    const int squareX = std::min(int(column), squaresX_ - 1), squareY = std::min(int(row), squaresY_ - 1); // rounding
+    // clamps rounding errors
+    const int squareX = std::min(int(column), squaresX_ - 1), squareY = std::min(int(row), squaresY_ - 1);
     const auto square = std::size_t(squareY * squaresX_ + squareX);
     const std::size_t first = strips * strips + square * parts_ * parts_;
     if (!white_[square]) {
@@ -59,7 +60,8 @@ public:
   }
 
 private:
-  /// A square's parts: its marker's modules, and the white before and behind them. A black square is all one part.
+  /// A square's parts: the modules of its marker, and the white before and after them. A black square has one
+  /// brightness.
   void addSquare(const Eigen::MatrixXi& modules) {
     const Eigen::Index count = modules.rows();
     for (Eigen::Index y = -1; y + 1 < Eigen::Index(parts_); ++y) {
@@ -76,8 +78,8 @@ private:
 
   int squaresX_, squaresY_;
   float squareLength_, margin_; // [m]
-  float gap_;                   // between a square's edge and its marker, in squares
-  float modulesPerSquare_ = 0;  // black border included
+  float gap_;                   // between a square's edge and its marker, in units of the square
+  float modulesPerSquare_ = 0;  // including the black border
   std::size_t parts_ = 0;       // along a square's side
   std::vector<bool> white_;     // by square
 };

@@ -11,16 +11,16 @@
 
 namespace naocal {
 
-/// The corners that the pictures of a walk show, without noise: one list of boards per capture.
+/// The noiseless corners in all captures: one list of boards per capture.
 std::vector<std::vector<BoardCorners>> observeCorners(const CaptureSequence& walk, const SimulationPlan& plan);
 
-/// Moves one board, in the exposure of one picture, by `distance` [m] in a direction drawn at random. Before and after,
-/// the picture shows at least eight of its corners, and at least two other pictures do: else nothing could tell that
-/// the board is not where it always was. Absent when there is no such picture.
+/// Moves one board in one image's exposure by `distance` [m] in a random direction. Before and after, the image shows
+/// at least eight of its corners, and at least two other images do too; otherwise the displacement would be
+/// undetectable. Absent if there is no such image.
 std::optional<DisplacedBoard> displaceOneBoard(CaptureSequence& walk, const SimulationPlan& plan, double distance,
                                                RandomStream& chance);
 
-/// Adds a detector's noise, and gross errors, which are returned by name.
+/// Adds detector noise and gross errors; returns the corners with gross errors.
 std::vector<GrossCorner> addCornerNoise(std::vector<Capture>& captures, const CornerNoise& noise, RandomStream& chance);
 
 namespace {
@@ -37,7 +37,7 @@ std::vector<BoardCorners> observeCorners(const Capture& capture, const Exposure&
   return seen;
 }
 
-/// A board in a picture that shows enough of it to find its pose.
+/// A board with enough visible corners in an image to determine its pose.
 struct Appearance {
   std::size_t capture, board;
 };
@@ -114,7 +114,7 @@ std::vector<GrossCorner> addCornerNoise(std::vector<Capture>& captures, const Co
 
 namespace {
 
-/// Where the boards really lie: drawn about their planned places.
+/// True board placements: planned ones plus random shifts and turns.
 std::vector<Placement> placeBoards(const SimulationPlan& plan, RandomStream chance) {
   std::vector<Placement> placements;
   for (const Board& board : plan.boards) {
@@ -128,7 +128,7 @@ std::vector<Placement> placeBoards(const SimulationPlan& plan, RandomStream chan
   return placements;
 }
 
-/// The same place on the floor in another world: x, y, yaw.
+/// Placement on the floor relative to another one: x, y, yaw.
 Placement seenFrom(const Placement& otherWorld, const Placement& placement) {
   const Eigen::Isometry3d otherFromFrame =
       isometryFromPlacement(otherWorld).inverse() * isometryFromPlacement(placement);
@@ -149,7 +149,7 @@ TruePlacements seenFrom(const Placement& otherWorld, TruePlacements placements) 
   return placements;
 }
 
-/// The world of a result: as surveyed, else the frame of the first board in the list that any picture shows.
+/// World frame of a result: as surveyed, otherwise the first board in the list visible in any image.
 Placement resultWorld(const SimulationPlan& plan, const std::vector<Placement>& boards,
                       const std::vector<std::vector<BoardCorners>>& seen) {
   for (std::size_t board = 0; board < boards.size() && !plan.surveyed; ++board) {
@@ -173,7 +173,7 @@ std::map<std::string, TrueUnknown> trueNoiseLevels(const SimulationPlan& plan) {
   add("encoder", std::hypot(plan.mechanics.encoderDither, step / std::sqrt(12.0)), "rad");
   add("pose", plan.mechanics.poseScatter, "rad");
   add("approach", plan.mechanics.approachScatter, "rad");
-  if (!plan.images) { // else it is what a detector makes of the pictures
+  if (!plan.images) { // otherwise the detector determines it
     add("pixel", plan.corners.pixel, "px");
     add("grossShare", plan.corners.grossShare, "1");
   }
@@ -253,7 +253,7 @@ std::vector<double> list(const Eigen::VectorXd& values) {
   return {values.begin(), values.end()};
 }
 
-/// The robot on its way: where it stands, what it did last, how warm it is.
+/// State of the robot during a simulation: stance, last motion, temperatures.
 class Walker {
 public:
   Walker(const SyntheticRobot& robot, const SimulationPlan& plan, const std::vector<Placement>& boards,
@@ -299,7 +299,7 @@ private:
     }
   }
 
-  /// Poses on one foot that follow each other share a stance.
+  /// Consecutive poses on the same foot share a stance.
   void standOn(SupportFoot foot) {
     if (stance_ && stance_->supportFoot == foot) {
       return;

@@ -8,36 +8,36 @@
 
 namespace naocal {
 
-/// What was before a camera when a capture was taken.
+/// True state at one capture.
 struct Exposure {
-  Eigen::VectorXd joints; // as they really were [rad]
+  Eigen::VectorXd joints; // true joint angles [rad]
   Eigen::Isometry3d worldFromCamera = Eigen::Isometry3d::Identity();
   std::vector<Eigen::Isometry3d> worldFromBoard; // in the order of the plan's boards
 };
 
-/// What the robot recorded on its way through the poses, corners not measured yet.
+/// Recorded captures of all poses, without corners.
 struct CaptureSequence {
   std::vector<Stance> stances; // with their true placements
   std::vector<Capture> captures;
   std::vector<Exposure> exposures; // one per capture
 };
 
-/// Takes every pose of the plan and records all cameras, 30 ms apart, `samples` times: in place (rest), after leaving
-/// the pose and coming back (reapproach), or pose after pose in as many stances (restand).
+/// Moves through the plan's poses and records all cameras, 30 ms apart, `samples` times: in place (rest), after leaving
+/// the pose and returning (reapproach), or in that many rounds of all poses with new stances (restand).
 CaptureSequence recordCaptures(const SyntheticRobot& robot, const SimulationPlan& plan,
                                const std::vector<Placement>& boards, std::uint64_t seed);
 
-/// A capture set and what is true about it.
+/// A simulated capture set and its ground truth.
 struct Simulation {
   CaptureSet set;
   Truth truth;
   std::vector<Exposure> exposures; // one per capture
 };
 
-/// What the body and head ids of simulated robots begin with; their seed follows.
+/// Prefix of the body and head ids of simulated robots; the seed follows.
 constexpr const char* syntheticIdPrefix = "synthetic-";
 
-/// A robot of this drawing, with errors drawn at random, walks through the plan. The same seed gives the same.
+/// Simulates a robot of this drawing with random errors in all poses of the plan. Reproducible by seed.
 Simulation simulate(const Robot& drawing, const SimulationPlan& plan, std::uint64_t seed);
 
 } // namespace naocal

@@ -25,7 +25,7 @@ std::vector<Board> defaultBoards() {
     board.id = spot.id;
     board.pattern = pattern;
     board.points = innerCorners(pattern);
-    const Eigen::Vector2d corner = // the sheet's top left one, seen from its centre
+    const Eigen::Vector2d corner = // top left corner of the sheet, relative to its centre
         Eigen::Rotation2Dd{spot.yaw} *
         (pattern.squareLength / 2 * Eigen::Vector2d{-pattern.squaresX, pattern.squaresY});
     board.placement = Placement{spot.centre.x() + corner.x(), spot.centre.y() + corner.y(), 0, 0, 0, spot.yaw};

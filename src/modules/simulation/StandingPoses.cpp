@@ -20,7 +20,7 @@ std::vector<Eigen::VectorXd> oneFootPoses(const Robot& robot, const SimulationPl
   options.count = count;
   options.seed = seed;
   std::vector<Board> boards = plan.boards;
-  for (Board& board : boards) { // seen from the sole
+  for (Board& board : boards) { // relative to the sole
     board.placement->y -= supportFoot == SupportFoot::left ? halfFootDistance : -halfFootDistance;
   }
   std::vector<Eigen::VectorXd> poses;
@@ -30,7 +30,7 @@ std::vector<Eigen::VectorXd> oneFootPoses(const Robot& robot, const SimulationPl
   return poses;
 }
 
-/// Draws attitudes of the torso between two flat soles and looks somewhere.
+/// Draws torso poses above two flat soles, and head directions.
 class BothFeet {
 public:
   BothFeet(const Robot& robot, const SimulationPlan& plan, std::uint64_t seed)
@@ -41,7 +41,7 @@ public:
                {}},
         left_{robot, "left"}, right_{robot, "right"} {}
 
-  /// Absent when the legs do not reach or no camera sees a board.
+  /// Absent if the legs do not reach, a joint limit is exceeded, or no camera sees a board.
   std::optional<Eigen::VectorXd> pose() {
     const Robot& robot = drawn_.drawing();
     Eigen::VectorXd angles{static_cast<Eigen::Index>(robot.joints.size())};
@@ -68,7 +68,7 @@ private:
   }
 
   bool bendLegs(Eigen::VectorXd& angles) {
-    constexpr double forwards = 0.02; // the torso's origin before the soles' frames [m]
+    constexpr double forwards = 0.02; // torso origin in front of the soles' frames [m]
     const RigidTransform floorFromTorso{
         rotationZ(chance_.uniformWithin(0.1)) * rotationY(0.1 + chance_.uniformWithin(0.3)) *
             rotationX(chance_.uniformWithin(0.1)),

@@ -7,8 +7,7 @@
 
 namespace naocal {
 
-/// Bones and weights of the synthetic robot: a second opinion on the robot's mechanics, which shares nothing with
-/// model/ but the drawing's numbers.
+/// Mechanics of the synthetic robot: an independent implementation that shares only the drawing's numbers with robot/.
 ///
 /// Product of exponentials (Brockett 1984): at zero angles all frames are parallel, joint i is a screw with the axis
 /// a_i through the point p_i of the torso's frame, and
@@ -24,14 +23,14 @@ public:
   /// In the torso's frame [m].
   Eigen::Vector3d centreOfMass(const std::vector<Eigen::Isometry3d>& torsoFromLink) const;
 
-  /// tau_J = -(U(q_J + h) - U(q_J - h)) / 2h [Nm] per joint: how the potential energy U falls when a motor turns, with
-  /// `heldLink` still and its z axis against gravity. Both joints of one motor carry the motor's value.
+  /// tau_J = -(U(q_J + h) - U(q_J - h)) / 2h [Nm] per joint: decrease of the potential energy U as a motor turns, with
+  /// `heldLink` fixed and its z axis vertical. Both joints of one motor have the motor's value.
   Eigen::VectorXd gravityTorques(const Eigen::VectorXd& angles, std::size_t heldLink) const;
 
 private:
   struct Part {
     std::optional<std::size_t> parent, joint;
-    Eigen::Vector3d point, axis; // of the screw, in the torso's frame at zero angles [m]
+    Eigen::Vector3d point, axis; // of the screw, torso frame at zero angles [m]
     double mass;                 // [kg]
     Eigen::Vector3d centreOfMass;
   };

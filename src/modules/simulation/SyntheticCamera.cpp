@@ -30,7 +30,7 @@ std::optional<Eigen::Vector2d> projectPoint(const CameraIntrinsics& camera, cons
 
 namespace {
 
-/// The lesser extent of a board's square at `point` in the picture [px]; 0 where it is not in view.
+/// The smaller extent of a square at `point` in the image [px]; 0 if not in view.
 double squareHeight(const CameraIntrinsics& camera, const Eigen::Isometry3d& cameraFromBoard,
                     const Eigen::Vector3d& point, double squareLength) {
   const auto middle = projectPoint(camera, cameraFromBoard * point);
@@ -47,11 +47,11 @@ double squareHeight(const CameraIntrinsics& camera, const Eigen::Isometry3d& cam
 
 BoardCorners visibleCorners(const CameraIntrinsics& camera, const Board& board,
                             const Eigen::Isometry3d& cameraFromBoard) {
-  constexpr double margin = 3; // a corner is found by its surroundings [px]
+  constexpr double margin = 3; // neighbourhood needed to detect a corner [px]
   constexpr std::size_t fewest = 6;
   BoardCorners seen{board.id, {}, {}};
   const Eigen::Isometry3d boardFromCamera = cameraFromBoard.inverse();
-  if (boardFromCamera.translation().z() <= 0) { // from behind
+  if (boardFromCamera.translation().z() <= 0) { // seen from behind
     return seen;
   }
   const double squareLength = board.pattern ? board.pattern->squareLength : 0;

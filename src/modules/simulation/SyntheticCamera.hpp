@@ -11,17 +11,17 @@ namespace naocal {
 /// parentFromFrame = T(x, y, z) Rz(yaw) Ry(pitch) Rx(roll).
 Eigen::Isometry3d isometryFromPlacement(const Placement& placement);
 
-/// Where a point is seen: OpenCV's pinhole and distortion (k1, k2, p1, p2, k3), with camera axes x forward, y left, z
+/// Projects a point with OpenCV's pinhole and distortion model (k1, k2, p1, p2, k3), camera axes x forward, y left, z
 /// up: x = -Y/X, y = -Z/X, r^2 = x^2 + y^2, g = 1 + k1 r^2 + k2 r^4 + k3 r^6,
 ///   u = fx (x g + 2 p1 x y + p2 (r^2 + 2 x^2)) + cx,   v = fy (y g + p1 (r^2 + 2 y^2) + 2 p2 x y) + cy   [px].
-/// Absent behind the camera and where the lens folds its picture over (d(r g)/dr <= 0).
+/// Absent behind the camera and where the distortion folds the image over (d(r g)/dr <= 0).
 std::optional<Eigen::Vector2d> projectPoint(const CameraIntrinsics& camera, const Eigen::Vector3d& pointInCamera);
 
-/// Below this the detector loses most corners of a board [px].
+/// Minimum height of a board's square [px]; below it the detector misses most corners.
 constexpr double smallestSquare = 12;
 
-/// The corners of a board that a detector would find, without noise: inside the picture, on squares that are at least
-/// `smallestSquare` pixels high however foreshortened, and at least six of them. The robot's own body hides nothing.
+/// The corners that a detector would find, without noise: inside the image, on squares at least `smallestSquare` pixels
+/// high including foreshortening, and at least six. Ignores occlusion by the robot's body.
 BoardCorners visibleCorners(const CameraIntrinsics& camera, const Board& board,
                             const Eigen::Isometry3d& cameraFromBoard);
 

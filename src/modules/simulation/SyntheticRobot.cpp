@@ -19,8 +19,8 @@ constexpr std::array<const char*, 2> sides{"left", "right"};
 
 } // namespace
 
-/// The weight on the sensors of the loaded soles: of all distributions whose sum is the weight and whose middle lies
-/// below the centre of mass the one with the least sum of squares; sensors cannot pull.
+/// Loads on the sensors of the supporting soles: the distribution of least squares with the robot's weight as sum and
+/// its centre below the centre of mass; negative loads are set to 0.
 std::array<double, 8> SyntheticRobot::forces(const Eigen::VectorXd& joints, SupportFoot supportFoot) const {
   const std::vector<Eigen::Isometry3d> torsoFromLink = body_.forwardKinematics(joints);
   const Eigen::Isometry3d soleFromTorso = torsoFromLink[soleLink(supportFoot)].inverse();
@@ -105,8 +105,8 @@ void SyntheticRobot::followMotors(Eigen::VectorXd& angles) const {
   }
 }
 
-/// Gears give way until they balance gravity: the soft one's deflection is its compliance times the torque in the pose
-/// so reached.
+/// Deflects the gears in equilibrium with gravity: the soft joint's deflection is its compliance times the torque in
+/// the resulting pose (fixed-point iteration).
 void SyntheticRobot::yield(SettledPose& taken, const Eigen::VectorXd& lastMotion) const {
   const InjectedEffect& flaw = *errors_.flaw;
   taken.deflection += flaw.lag(lastMotion, gravityTorques(taken.motors + taken.deflection, taken.supportFoot));
@@ -114,7 +114,7 @@ void SyntheticRobot::yield(SettledPose& taken, const Eigen::VectorXd& lastMotion
   if (flaw.softJoint) {
     const auto joint = static_cast<Eigen::Index>(*flaw.softJoint);
     const double rigid = taken.deflection[joint];
-    for (int iteration = 0; iteration < 8; ++iteration) { // the error falls by about 0.03 each time
+    for (int iteration = 0; iteration < 8; ++iteration) { // reduces the error to about 3 % each time
       const Eigen::VectorXd torques = gravityTorques(taken.motors + taken.deflection, taken.supportFoot);
       taken.deflection[joint] = rigid + flaw.compliance * torques[joint];
       followMotors(taken.deflection);
@@ -173,7 +173,7 @@ Eigen::Isometry3d SyntheticRobot::torsoFromCamera(std::size_t camera, const Eige
          Eigen::AngleAxisd{error.rotation.z(), Eigen::Vector3d::UnitZ()};
 }
 
-/// Height [m] and tilt (x and y of its normal) of the right sole against the left one.
+/// Height [m] and tilt (x and y of its normal) of the right sole relative to the left one.
 Eigen::Vector3d SyntheticRobot::rightSoleOffFloor(const Eigen::VectorXd& joints) const {
   const std::vector<Eigen::Isometry3d> torsoFromLink = body_.forwardKinematics(joints);
   const Eigen::Isometry3d leftFromRight =
@@ -181,8 +181,8 @@ Eigen::Vector3d SyntheticRobot::rightSoleOffFloor(const Eigen::VectorXd& joints)
   return {leftFromRight.translation().z(), leftFromRight(0, 2), leftFromRight(1, 2)};
 }
 
-/// The floor turns the legs' motors, by as little as possible, until both soles lie flat: Gauss-Newton on c(q) = 0 with
-/// the least step -J^T (J J^T)^-1 c.
+/// Turns the legs' motors as little as possible until both soles lie flat on the floor: Gauss-Newton on c(q) = 0 with
+/// the minimum-norm step -J^T (J J^T)^-1 c.
 void SyntheticRobot::settleOnBothSoles(SettledPose& taken) const {
   constexpr double step = 1e-6, flat = 1e-13; // [rad], [m or 1]
   for (int iteration = 0; iteration < 20; ++iteration) {

@@ -11,51 +11,51 @@
 
 namespace naocal {
 
-/// The robot at rest in a pose: what no sensor tells.
+/// True state of the robot at rest in a pose.
 struct SettledPose {
-  Eigen::VectorXd motors;     // angles on the encoders' side of the gears [rad]
+  Eigen::VectorXd motors;     // motor angles, before the gears [rad]
   Eigen::VectorXd deflection; // of the gears: joint = motor + deflection [rad]
   Eigen::VectorXd velocity;   // residual motion [rad/s]
-  Eigen::VectorXd torques;    // gravity's [Nm]
+  Eigen::VectorXd torques;    // by gravity [Nm]
   SupportFoot supportFoot = SupportFoot::left;
 };
 
-/// A robot whose truth we know: it takes a pose, its encoders and sensors report, its cameras are somewhere.
+/// A simulated robot with known errors: moves to poses, reads sensors, places cameras.
 class SyntheticRobot {
 public:
   SyntheticRobot(const Robot& drawing, const RobotErrors& errors, const RobotMechanics& mechanics);
 
-  /// Moves to a commanded pose (raw space: offsets are not known to whoever commands) and comes to rest.
-  /// `lastMotion`: which way each joint turned last, -1, 0, +1.
+  /// Moves to a commanded pose (raw angles: the commander does not know the offsets) and comes to rest. `lastMotion`:
+  /// direction of each joint's last motion, -1, 0, +1. `poseDeflection`: gear deflection in this pose [rad].
   SettledPose moveTo(const Eigen::VectorXd& commanded, const Eigen::VectorXd& lastMotion, SupportFoot supportFoot,
                      const Eigen::VectorXd& poseDeflection, RandomStream& chance) const;
-  /// How far the gears stand behind their encoders in a pose, one draw per motor [rad].
+  /// Draws gear deflections behind the encoders, one value per motor [rad].
   Eigen::VectorXd drawScatter(double sigma, RandomStream& chance) const;
 
-  /// What the joints really are `since` the robot came to rest: the one place where joint and encoder differ [rad].
+  /// True joint angles `since` the robot came to rest; includes gear deflections, which encoders do not see [rad].
   Eigen::VectorXd trueJointAngles(const SettledPose& taken, Seconds since) const;
-  /// What the encoders say: the motor's angle + offset, dithered, in whole steps [rad].
+  /// Encoder readings: motor angle + offset + dither, rounded to steps [rad].
   Eigen::VectorXd readEncoders(const SettledPose& taken, Seconds since, RandomStream& chance) const;
 
-  /// soleFromTorso of the (left, on both) support foot.
+  /// soleFromTorso of the support foot (on both feet, the left one).
   Eigen::Isometry3d soleFromTorso(const Eigen::VectorXd& joints, SupportFoot supportFoot) const;
   Eigen::Isometry3d torsoFromCamera(std::size_t camera, const Eigen::VectorXd& joints) const;
 
-  /// Torso roll and pitch as the inertial unit reports them [rad].
+  /// Torso roll and pitch, with noise of the inertial unit [rad].
   Eigen::Vector2d readImu(const Eigen::Matrix3d& worldFromTorso, RandomStream& chance) const;
-  /// Left FL, FR, RL, RR, then right [kg].
+  /// Readings left FL, FR, RL, RR, then right [kg].
   std::array<double, 8> readForces(const SettledPose& taken, RandomStream& chance) const;
   Eigen::VectorXd readCurrents(const SettledPose& taken, RandomStream& chance) const;
-  /// Warms the motors for a while under gravity's torques [degC].
+  /// Updates motor temperatures [degC] after `duration` under the given torques.
   void heatMotors(Eigen::VectorXd& temperatures, const Eigen::VectorXd& torques, Seconds duration) const;
 
   const Robot& drawing() const { return drawing_; }
 
-  /// With one sole held still; on both, each foot's value weighted by its share of the load [Nm].
+  /// Gravity torques with the support sole fixed; on both feet, weighted by each foot's share of the load [Nm].
   Eigen::VectorXd gravityTorques(const Eigen::VectorXd& joints, SupportFoot supportFoot) const;
 
 private:
-  /// Joints of one motor turn together.
+  /// Sets joints of one motor to the same angle.
   void followMotors(Eigen::VectorXd& angles) const;
   void yield(SettledPose& taken, const Eigen::VectorXd& lastMotion) const;
   std::array<double, 8> forces(const Eigen::VectorXd& joints, SupportFoot supportFoot) const;

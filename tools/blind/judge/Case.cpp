@@ -77,7 +77,7 @@ std::optional<double> timeIn(const std::string& why) {
   return std::nullopt;
 }
 
-/// What people are shown first: averaged over what could be missing, where it is.
+/// The offset shown first: averaged over alternative models, if available.
 Solved::Offset readOffset(const json& unknown) {
   const json& shown = unknown.contains("averaged") ? unknown.at("averaged") : unknown;
   const double value = shown.at("value").get<double>(), sigma = shown.at("sigma").get<double>();

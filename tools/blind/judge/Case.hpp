@@ -8,31 +8,31 @@
 
 namespace blind {
 
-/// What was hidden in one set, as its sealed truth tells.
+/// Ground truth of one set, from its sealed file.
 struct Truth {
   struct Effect {
     std::string name;                       // effect@place
     std::map<std::string, double> unknowns; // true sizes
-    std::vector<std::string> drivers;       // outside the catalogue: what the misfit varies with
+    std::vector<std::string> drivers;       // outside the catalogue: drivers of the misfit
     double noncentrality = 0;
   };
   std::string set, group, kind, noise;
   int poses = 0;
   bool pictures = false;
-  double wanted = 0; // noncentrality that was aimed at; 0: a physical size
+  double wanted = 0; // target noncentrality; 0: a physical size
   std::vector<Effect> effects;
   double lockedFloorPx = 0;
-  double plausible = 0;                  // how large the effect is, in plausible sizes; 0: not sized so
-  double jitter = 0;                     // of readings at rest [rad]
+  double plausible = 0;                  // size in units of the plausible size; 0: not sized this way
+  double jitter = 0;                     // of readings at rest, 1 sigma [rad]
   std::map<std::string, double> offsets; // by joint [rad]
   struct Event {
     std::string what, at;         // "kicked board", "slipped robot", "offset step"; board, stance or joint
-    double before = 0, after = 0; // between these readings, since the first one [s]
+    double before = 0, after = 0; // last reading before and first one after it, since the first reading [s]
   };
   std::optional<Event> event;
 };
 
-/// A calibration of the set, as RESULT.json tells it.
+/// A calibration of the set, from RESULT.json.
 struct Solved {
   struct Offset {
     double value, sigma, low, high, learned; // low, high: its 95 % interval
@@ -43,7 +43,7 @@ struct Solved {
   std::map<std::string, Offset> offsets; // by joint
 };
 
-/// What the solver said about one set.
+/// naocal's answer for one set.
 struct Answer {
   struct Candidate {
     std::string name, state;
@@ -58,19 +58,19 @@ struct Answer {
   };
   int exitCode = 0;
   double seconds = 0;
-  std::string verdict; // empty: none was given
+  std::string verdict; // empty: no verdict
   std::vector<Candidate> ranking;
   std::vector<std::string> suggested;
   std::vector<Driver> drivers;
-  std::optional<double> lockedBeforePx, lockedAfterPx; // rms on poses that were never used for choosing
-  bool lockedFell = false;                             // that error, joints' random errors allowed for
+  std::optional<double> lockedBeforePx, lockedAfterPx; // rms on locked poses, never used for selection
+  bool lockedFell = false;                             // that error fell, weighted with the joints' random errors
   struct Suspicion {
     std::string why;
     std::optional<double> time; // since the first capture [s]
   };
   std::vector<Suspicion> suspicious;
-  std::optional<Solved> first, suggestedAdded; // nothing added, and with what was suggested
-  std::optional<double> fixedNoisePx;          // rms of a fit with the usual noise levels
+  std::optional<Solved> first, suggestedAdded; // without additions, and with the suggested effects
+  std::optional<double> fixedNoisePx;          // rms of a fit with the default noise levels
 };
 
 struct Case {
@@ -78,11 +78,12 @@ struct Case {
   Answer answer;
 };
 
-/// All answered sets of a benchmark, by name. Throws when a truth is not the one that was sealed, or when an answer
-/// was given to another one.
+/// All answered sets of a benchmark, by name. Throws std::runtime_error if a truth differs from the sealed one, or if
+/// an answer belongs to another truth.
 std::vector<Case> readCases(const std::filesystem::path& folder);
 
-/// Hip yaw-pitch is one motor with two names; only axisTilt tells them apart. A spring is an elasticity.
+/// Canonical label: hip yaw-pitch is one motor with two names, distinguished by axisTilt only; spring is an alias of
+/// elasticity.
 std::string canonicalMotor(const std::string& effectAtPlace);
 
 } // namespace blind

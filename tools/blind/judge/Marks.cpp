@@ -24,7 +24,7 @@ const Answer::Candidate* candidateNamed(const Answer& answer, const std::string&
   return found == answer.ranking.end() ? nullptr : &*found;
 }
 
-/// Candidates that the captures could test.
+/// Number of candidates that the captures could test.
 std::size_t testable(const Answer& answer) {
   return static_cast<std::size_t>(
       std::count_if(answer.ranking.begin(), answer.ranking.end(), [](const Answer::Candidate& candidate) {
@@ -35,7 +35,7 @@ std::size_t testable(const Answer& answer) {
 void markNaming(const Truth::Effect& effect, const Answer& answer, Marks& result) {
   const auto isIt = [&](const Answer::Candidate& candidate) { return candidate.name == effect.name; };
   const auto third = answer.ranking.begin() + std::min<std::ptrdiff_t>(3, std::ssize(answer.ranking));
-  result.detected = answer.verdict == "effect-missing" || answer.verdict == "unknown-effect"; // captures are sound
+  result.detected = answer.verdict == "effect-missing" || answer.verdict == "unknown-effect"; // the captures are sound
   result.top1 = !answer.ranking.empty() && isIt(answer.ranking.front());
   result.top3 = std::any_of(answer.ranking.begin(), third, isIt);
   result.inClass = !answer.ranking.empty() && names(answer.ranking.front(), effect.name);
@@ -54,8 +54,8 @@ void markNaming(const Truth::Effect& effect, const Answer& answer, Marks& result
   }
 }
 
-/// Each suggestion may stand for one hidden effect that it names, itself or as one that cannot be told from it. What is
-/// beyond doubt and moves corners by next to nothing is not suggested, but told.
+/// Each suggestion can match one hidden effect, by name or equivalence. A certain effect with negligible influence is
+/// not suggested but listed as trivial.
 void markPair(const Case& one, Marks& result) {
   int found = 0;
   std::vector<std::string> left = one.answer.suggested;
@@ -75,7 +75,7 @@ void markPair(const Case& one, Marks& result) {
   result.extra = static_cast<int>(left.size());
 }
 
-/// "q" and the joint's own name mean the same; "q:" may stand before a joint.
+/// Whether two driver names are equal: "q" is the joint itself; "q:" may precede a joint.
 bool sameDriver(std::string said, const std::string& at, const std::string& expected) {
   if (said.starts_with("q:")) {
     said.erase(0, 2);
@@ -96,7 +96,7 @@ bool rightDriver(const Truth::Effect& effect, const Answer& answer) {
                                       [&](const std::string& driver) { return sameDriver(said.driver, at, driver); });
 }
 
-/// How far off a result's offsets are; those that the captures hardly tell are their priors.
+/// Checks a result's offsets, except those dominated by their priors.
 void markOffsets(const Truth& truth, const std::optional<Solved>& solved, std::optional<bool>& wronglyUsable,
                  std::vector<bool>& inside) {
   constexpr double told = 0.5, far = 3.5; // sigma
@@ -116,7 +116,7 @@ void markOffsets(const Truth& truth, const std::optional<Solved>& solved, std::o
   }
 }
 
-/// Whether words name what happened: "board B", "stance 0" or the robot or its foot, or the joint.
+/// Whether the text names the event: "board B", "stance 0" or the robot or its foot, or the joint.
 bool namesEvent(const std::string& why, const Truth::Event& event) {
   const auto says = [&](const std::string& word) { return why.find(word) != why.npos; };
   if (event.what == "kicked board") {
@@ -127,12 +127,12 @@ bool namesEvent(const std::string& why, const Truth::Event& event) {
 }
 
 bool during(double time, const Truth::Event& event) {
-  constexpr double rounding = 0.2; // of what was said [s]
+  constexpr double rounding = 0.2; // of reported times [s]
   return time > event.before - rounding && time < event.after + rounding;
 }
 
-/// An accident stands among what is suspicious. A joint's step may also be told as what its misfit varies with: time,
-/// by an expression such as a*(t > 12.3 ? 1 : 0).
+/// An event should be listed as suspicious. A joint's step may also be reported as a misfit over time, by an expression
+/// such as a*(t > 12.3 ? 1 : 0).
 void markEvent(const Truth::Event& event, const Answer& answer, Marks& result) {
   bool named = false, timed = false;
   for (const Answer::Suspicion& suspicion : answer.suspicious) {
@@ -153,7 +153,7 @@ void markEvent(const Truth::Event& event, const Answer& answer, Marks& result) {
   result.eventTimed = timed;
 }
 
-/// A joint that slips may be told as what happened to it, at a time.
+/// A slipping joint may also be reported as an event with a time.
 bool tellsStep(const Truth::Effect& effect, const Answer& answer) {
   const std::size_t at = effect.name.find('@');
   return effect.name.starts_with("ankleSlip@") &&
@@ -170,7 +170,7 @@ void markJitter(const Case& one, Marks& result) {
     const auto found = levels.find(component);
     return found == levels.end() ? 0 : found->second;
   };
-  // where each approach has one reading, its jitter is what approaches differ by
+  // with one reading per approach, jitter appears as scatter between approaches
   const double level = one.truth.kind == "rest" ? told("jitter") : std::hypot(told("jitter"), told("reapproach"));
   result.jitterLevel = std::abs(level - one.truth.jitter) < within * one.truth.jitter;
 }
@@ -206,9 +206,9 @@ Marks markAnswer(const Case& one) {
   if (hidesOne(truth)) {
     result.blamedOnCaptures = answer.verdict == "bad-captures" || answer.verdict == "scatter";
     markNaming(truth.effects.front(), answer, result);
-    constexpr double plain = 20, roundedUp = 0.95; // the size that was aimed at is met within 2 %
+    constexpr double plain = 20, roundedUp = 0.95; // the target size is met within 2 %
     const bool notable = truth.effects.front().noncentrality > roundedUp * plain;
-    if (notable && !answer.suggested.empty()) { // what cannot be calibrated or compared does not lower anything
+    if (notable && !answer.suggested.empty()) { // a result that cannot be calibrated or compared is no improvement
       constexpr double near = 1.1;
       result.errorFell = answer.lockedAfterPx && answer.lockedFell;
       result.nearFloor = answer.lockedAfterPx && *answer.lockedAfterPx <= near * truth.lockedFloorPx;

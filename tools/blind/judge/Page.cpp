@@ -11,7 +11,7 @@ namespace blind {
 
 namespace {
 
-/// A small plot as SVG text: points with error bars, lines, labels on both axes. Values outside the axes are cut off.
+/// A small SVG plot: points with error bars, lines, labelled axes. Values are clamped to the axes.
 class Plot {
 public:
   struct Axis {
@@ -37,7 +37,7 @@ private:
 
 constexpr double width = 560, height = 320, left = 64, right = 16, top = 34, bottom = 60; // [px]
 
-/// For text inside HTML.
+/// Escapes text for HTML.
 std::string escapeHtml(const std::string& text) {
   std::string result;
   for (const char letter : text) {
@@ -123,7 +123,7 @@ void add(Plot& plot, double x, const Share& share, const std::string& colour, co
   }
 }
 
-/// A regime of noise under its tick.
+/// Short label of a noise regime for the axis.
 std::string shortName(const std::string& regime) {
   for (const auto& [name, shorter] : {std::pair{"foreshortening", "slanted"},
                                       {"heavy tails", "tails"},
@@ -157,7 +157,7 @@ std::string falseAlarms(const Tally& tally) {
   return plot.svg();
 }
 
-/// Noncentrality on a logarithmic axis.
+/// Position on the logarithmic axis.
 double across(double noncentrality) {
   return std::log10(noncentrality);
 }

@@ -4,7 +4,7 @@
 
 namespace blind {
 
-/// One HTML file with the required figures and five plots, drawn as SVG; nothing is loaded from anywhere.
+/// One self-contained HTML page with the required figures and four plots (SVG).
 std::string renderEvaluation(const Tally& tally, const std::vector<Case>& cases);
 
 } // namespace blind

@@ -17,7 +17,7 @@ double uniformityP(std::vector<double> numbers) {
     distance = std::max({distance, numbers[i] - below, upTo - numbers[i]});
   }
   const double root = std::sqrt(count), lambda = (root + 0.12 + 0.11 / root) * distance;
-  constexpr double small = 0.3; // below, the alternating series has not begun to fall, and its limit is 1
+  constexpr double small = 0.3; // below it the series converges slowly, and its limit is 1
   if (lambda < small) {
     return 1;
   }

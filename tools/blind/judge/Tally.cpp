@@ -44,7 +44,7 @@ bool isOfCamera(const Truth& truth) {
   return name == "cameraTranslation" || name == "focalLength" || name == "principalPoint" || name == "radialDistortion";
 }
 
-/// How honest calibrations are, where nothing is hidden and where something is.
+/// Adds offsets and p-values, with and without hidden effects.
 void addHonesty(const Case& one, const Marks& marked, Tally& result) {
   const Truth& truth = one.truth;
   if (truth.group == "control" || truth.group == "decoy" || truth.group == "jitter") {
@@ -110,7 +110,7 @@ public:
   void atMost(std::string what, double percent, const Share& share) {
     add(std::move(what), fmt::format("at most {:g} %", percent), share, share.rate() <= percent / 100);
   }
-  /// Of offsets, which of one set are not independent: the band is too narrow by little.
+  /// For offsets, which are dependent within a set: the band is slightly too narrow.
   void coverage(std::string what, const Share& share) {
     add(std::move(what), "93 to 97 %", share, share.rate() >= 0.93 && share.rate() <= 0.97);
   }
@@ -130,7 +130,7 @@ private:
   std::vector<Required> figures_;
 };
 
-/// What must hold where the model is wrong or the readings are: of results, causes and events.
+/// Requirements for wrong models or readings: results, causes and events.
 void addHonesty(const Tally& tally, Figures& figures) {
   figures.atMost("called usable with an offset beyond 3.5 sigma, effect hidden", 2, tally.wronglyUsable);
   figures.atMost("... after adding what is suggested", 2, tally.wronglyUsableAfter);
@@ -164,7 +164,7 @@ void addHonesty(const Tally& tally, Figures& figures) {
     figures.atLeast("jitter of readings, " + repeats + ": level within 20 %", 95, tally.jitterLevel.at(repeats));
   }
   for (const auto& [regime, numbers] : tally.pValues) {
-    if (numbers.size() < fewestForUniformity) { // no test of so few can fail
+    if (numbers.size() < fewestForUniformity) { // too few for a test
       continue;
     }
     const double p = uniformityP(numbers);
@@ -205,7 +205,7 @@ Tally tallyCases(const std::vector<Case>& cases) {
     const Truth& truth = one.truth;
     const Marks marked = markAnswer(one);
     ++result.sets;
-    const bool silent = one.answer.verdict.empty(); // never counts for the better
+    const bool silent = one.answer.verdict.empty(); // never counts in favour
     result.withoutVerdict += silent;
     result.seconds.add(one.answer.seconds);
     addHonesty(one, marked, result);

@@ -53,7 +53,7 @@ void writeFile(const std::filesystem::path& file, const std::string& content) {
   if (file.has_parent_path()) {
     std::filesystem::create_directories(file.parent_path());
   }
-  // writers that work side by side write the same key
+  // unique name: parallel writers write the same key
   const std::filesystem::path temporary = fmt::format("{}.{}.part", file.string(), getpid());
   {
     std::ofstream stream{temporary, std::ios::binary};

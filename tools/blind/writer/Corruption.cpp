@@ -11,7 +11,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Index of a capture with enough corners, at random.
+/// Index of a random capture with corners or an image.
 std::size_t someCapture(const json& captures, RandomStream& chance) {
   while (true) {
     const auto index = static_cast<std::size_t>(chance.below(static_cast<int>(captures.size())));
@@ -38,7 +38,7 @@ std::string swapSign(int side, json& set, RandomStream& chance) {
   return joint;
 }
 
-/// The buffer was not new: a picture of another pose stands at this capture.
+/// Stale image buffer: a capture has the image of another pose.
 std::string repeatPicture(json& captures, RandomStream& chance) {
   while (true) {
     json& from = captures[someCapture(captures, chance)];
@@ -51,7 +51,7 @@ std::string repeatPicture(json& captures, RandomStream& chance) {
   }
 }
 
-/// Somebody touched the robot while this picture was taken.
+/// Robot touched during one image: shifts its corners.
 std::string shakeCapture(json& captures, RandomStream& chance) {
   json& capture = captures[someCapture(captures, chance)];
   const double angle = chance.uniformWithin(3.14), distance = chance.between(8, 20); // [px]
@@ -72,7 +72,7 @@ int boardSeenMost(const Session& session) {
   return static_cast<int>(std::max_element(seen.begin(), seen.end()) - seen.begin());
 }
 
-/// When these sights were taken: what nobody sees afterwards has not moved for the captures.
+/// Times of selected sights, sorted: a displacement outside them is unobservable.
 template <typename Which> std::vector<double> timesOf(const Session& session, Which which) {
   std::vector<double> result;
   for (const BoardSight& sight : session.sights) {

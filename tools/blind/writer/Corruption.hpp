@@ -8,18 +8,18 @@
 
 namespace blind {
 
-/// Effects that the poses cannot test: what makes them so is planned into the session.
+/// Effects that the poses cannot test; the session is planned accordingly.
 const std::vector<std::string>& absorbedKinds();
 
-/// Mistakes of people and wiring. Each changes the finished set, but for what moves during the session.
+/// Human and wiring mistakes. Each modifies the finished set, except displacements during the session.
 const std::vector<std::string>& corruptions();
 
-/// What happens once, at a time: a kicked board, a foot that slips, a joint whose offset steps.
+/// Events at one time: a kicked board, a slipping foot, a step of a joint offset.
 const std::vector<std::string>& eventKinds();
 
-/// A kicked board or a robot that slips: decided before the pictures are taken.
+/// A kicked board or slipped robot; must be called before corners are simulated.
 void corruptSession(const std::string& kind, Session& session, RandomStream& chance);
-/// Everything else: done to the capture set's JSON. Returns what was done, for the truth.
+/// All other corruptions: modifies the capture set's JSON. Returns a description for the truth.
 std::string corruptFile(const std::string& kind, int side, nlohmann::json& set, RandomStream& chance);
 
 } // namespace blind

@@ -52,7 +52,7 @@ public:
   }
 
 private:
-  /// Sets on which a fit that misses something must stay honest.
+  /// Sets for which an incomplete model must still give honest results.
   void addWrongModels() {
     for (const FlawFamily& family : catalogue()) {
       for (const double size : plausibleSizes) {
@@ -75,7 +75,7 @@ private:
     }
   }
 
-  /// What the item leaves open is drawn. Rendered sets come on top: they cannot be sized as exactly.
+  /// Draws what the item leaves open. Rendered sets are added, since they cannot be sized as exactly.
   void repeat(int count, DesignItem item) {
     const bool renderable = item.group == "control" || item.group == "catalogue";
     const double share = renderable ? counts_.pictureShare : 0;
@@ -131,7 +131,7 @@ SessionPlan drawPlan(const DesignItem& item, RandomStream& chance) {
     plan.restands = false;
   }
   if (item.pictures) {
-    constexpr double foundCorners = 0.1; // what a good detector leaves [px]
+    constexpr double foundCorners = 0.1; // residual error of a good detector [px]
     plan.noise.pixel = foundCorners;
   }
   return plan;
@@ -177,7 +177,7 @@ NoiseRegime noiseRegime(const std::string& name) {
   if (name.starts_with("stiction")) {
     regime.stiction = std::stod(name.substr(9)) * radiansPerDegree;
   }
-  if (name.starts_with("jitter")) { // as real encoders show it: in whole steps
+  if (name.starts_with("jitter")) { // in whole steps, like real encoders
     regime.quantised = true;
     regime.jitter = std::stod(name.substr(7)) * radiansPerDegree;
   }

@@ -10,41 +10,41 @@
 
 namespace blind {
 
-/// One set that is to be written: what kind of question it asks.
+/// One set to be written.
 struct DesignItem {
   std::string group; // control, decoy, catalogue, pair, outside, absorbed, corrupted, sized, camera, twin, event,
                      // jitter
-  std::string kind;  // which effect, decoy, absorbed case or corruption; empty: drawn for the set
-  double noncentrality = 0; // wanted; 0: a physical size, or the next
+  std::string kind;  // effect, decoy, absorbed case or corruption; empty: drawn
+  double noncentrality = 0; // target; 0: physical or plausible size
   int poses = 20;
   std::string noise = "clean";
   bool pictures = false;
-  double plausible = 0; // so many times as large as is plausible; 0: not sized so
+  double plausible = 0; // size in units of the plausible size; 0: not sized this way
 };
 
 /// Small, medium and large effects, in plausible sizes.
 constexpr std::array<double, 3> plausibleSizes{0.5, 1, 2};
 
-/// How many sets of each kind.
+/// Numbers of sets.
 struct DesignCounts {
-  int controls = 4;        // per regime of noise
-  int sets = 1;            // per effect and size, per case of the other groups
-  double pictureShare = 0; // of controls and catalogued effects: so many are rendered as pictures, on top
-  std::string only;        // one group alone; empty: all
+  int controls = 4;        // per noise regime
+  int sets = 1;            // per effect and size; otherwise per case
+  double pictureShare = 0; // fraction of controls and catalogued effects rendered as images, in addition
+  std::string only;        // a single group; empty: all
 };
 
 const std::vector<std::string>& noiseRegimes();
 
-/// All sets of a benchmark in a random order: any beginning of it is a fair sample.
+/// All sets of a benchmark in random order: every prefix is a fair sample.
 std::vector<DesignItem> drawDesign(const DesignCounts& counts, std::uint64_t seed);
 
-/// How the session of an item is held: what the item leaves open is drawn.
+/// The session plan of an item; draws what the item leaves open.
 SessionPlan drawPlan(const DesignItem& item, RandomStream& chance);
 
-/// A robot without flaws but with offsets within 6.5 degrees and camera mounts within 2 degrees.
+/// A robot without flaws, with offsets within 6.5 degrees and camera mounts within 2 degrees.
 Robot drawRobot(const Drawing& drawing, std::size_t boards, RandomStream& chance);
 
-/// The same robot with its offsets and mounts, all else sound.
+/// The same robot without flaws; keeps offsets and mounts.
 Robot withoutFlaws(Robot robot);
 
 NoiseRegime noiseRegime(const std::string& name);

@@ -30,9 +30,9 @@ json mergedFile(const std::filesystem::path& file) {
   return drawing;
 }
 
-/// A link on the way through the tree.
+/// A link during the traversal of the tree.
 struct Link {
-  int joint = -1; // the last joint that moves it
+  int joint = -1; // last joint that moves it
   Eigen::Vector3d fixedPlace = Eigen::Vector3d::Zero();
   std::map<std::string, Eigen::Vector3d> alongLengths;
 };

@@ -12,22 +12,22 @@ namespace blind {
 
 inline constexpr double radiansPerDegree = std::numbers::pi / 180;
 
-/// The numbers of a drawing file, as the file has them but in metres and radians. All frames are parallel to the
-/// torso's at zero angles, so a place there is a sum of vectors.
+/// Contents of a drawing file, in metres and radians. All frames are parallel to the torso's at zero angles, so
+/// positions are sums of vectors.
 struct Drawing {
   struct Row {
     double other, lower, upper; // [rad]
   };
   struct Joint {
     std::string name;
-    int parent = -1;            // the joint that moves the link which carries this one; -1: the torso
-    Eigen::Vector3d axis;       // unit vector
-    Eigen::Vector3d fixedPlace; // at zero angles in the torso's frame, lengths left out [m]
+    int parent = -1;                                     // joint that moves the link carrying this one; -1: torso
+    Eigen::Vector3d axis;                                // unit vector
+    Eigen::Vector3d fixedPlace;                          // at zero angles in the torso's frame, without lengths [m]
     std::map<std::string, Eigen::Vector3d> alongLengths; // place = fixedPlace + sum of length * direction
     double lower = 0, upper = 0, resting = 0;            // [rad]
     std::string coupledTo;
     std::vector<Row> coupled;
-    std::string drivenBy; // the joint whose motor moves this one too
+    std::string drivenBy; // joint whose motor drives this one too
   };
   struct Mass {
     int joint = -1;
@@ -49,12 +49,12 @@ struct Drawing {
   std::vector<Joint> joints;             // parents first
   std::vector<Mass> masses;
   std::vector<Camera> cameras; // top, bottom
-  std::array<Sole, 2> soles;   // left, right; each a length footZ below its joint
+  std::array<Sole, 2> soles;   // left, right; each footZ below its joint
 
-  int joint(const std::string& name) const; // its index; throws for a name that is none
+  int joint(const std::string& name) const; // index; throws for an unknown name
 };
 
-/// Reads NaoV4, V5 or V6 (a drawing may name another as its base and hold only what differs).
+/// Reads NaoV4, V5 or V6 (a drawing may name a base and contain only the differences).
 Drawing parseRobot(const std::filesystem::path& file);
 
 } // namespace blind

@@ -77,7 +77,7 @@ double FlawSizing::correlation(const HiddenFlaw& first, const HiddenFlaw& second
 
 namespace {
 
-/// A random direction, as long as one of these sizes.
+/// A random direction, scaled by `size` of each unknown; nonnegative for flaws that cannot be negative.
 template <typename Size> std::vector<double> drawnShape(const FlawFamily& family, Size size, RandomStream& chance) {
   std::vector<double> shape;
   double square = 0;

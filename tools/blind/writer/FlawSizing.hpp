@@ -8,26 +8,26 @@
 
 namespace blind {
 
-/// A flaw that was put into a robot.
+/// A flaw injected into a robot.
 struct HiddenFlaw {
   const FlawFamily* family = nullptr;
   std::string place;
   std::vector<double> values;
   double noncentrality = 0;
-  double kept = 0; // of the evidence of someone who knows the rest of the robot
+  double kept = 0; // fraction of the evidence left without knowing the rest of the robot
 };
 
-/// Gives a robot flaws of the size that makes them so visible on one session.
+/// Scales flaws to a given visibility in one session.
 class FlawSizing {
 public:
   FlawSizing(const Robot& robot, const Session& session, const Noncentrality& noncentrality);
 
-  /// `shape` times the size at which the pictures' change has this noncentrality (found by iterating its square law);
-  /// absent when that takes more than `most` shapes.
+  /// Scales `shape` until the change of the images has noncentrality `wanted` (iterating its square law); absent if the
+  /// factor exceeds `most`.
   std::optional<HiddenFlaw> scaleTo(const FlawFamily& family, const std::string& place, std::vector<double> shape,
                                     double wanted, double most) const;
   HiddenFlaw makeFlaw(const FlawFamily& family, const std::string& place, std::vector<double> values) const;
-  /// The largest canonical correlation of what two kinds of flaw do to the pictures, all unknowns free.
+  /// Largest canonical correlation of two flaws' changes of the images, all unknowns free.
   double correlation(const HiddenFlaw& first, const HiddenFlaw& second) const;
 
 private:
@@ -40,10 +40,10 @@ private:
   Eigen::VectorXd without_;
 };
 
-/// The physical sizes in a random direction: as long as one of them.
+/// Random direction in the space of unknowns, scaled to their physical sizes.
 std::vector<double> randomShape(const FlawFamily& family, RandomStream& chance);
 
-/// The same of the sizes that are plausible.
+/// The same, scaled to their plausible sizes.
 std::vector<double> plausibleShape(const FlawFamily& family, RandomStream& chance);
 
 void applyFlaw(const HiddenFlaw& hidden, Robot& robot);

@@ -13,7 +13,7 @@ const std::vector<std::string> chainJoints{"HeadYaw",  "HeadPitch", "HipYawPitch
 const std::vector<std::string> loadedJoints{"HeadPitch", "HipRoll", "HipPitch", "KneePitch", "AnklePitch", "AnkleRoll"};
 const std::vector<std::string> bothCameras{"top", "bottom"}, anyBoard{"board"}, anySole{"sole"};
 
-/// A family whose unknowns are numbers of one joint.
+/// A family whose unknowns are members of JointFlaws.
 FlawFamily ofJoint(std::string effect, std::vector<FlawFamily::Unknown> unknowns, std::vector<std::string> places,
                    std::vector<double JointFlaws::*> members, std::vector<double> factors = {1, 1}) {
   return {std::move(effect),
@@ -117,7 +117,7 @@ std::vector<FlawFamily> makeCatalogue() {
   };
 }
 
-/// The letter of the side of a leg joint, or nothing.
+/// Letter of a leg joint's side, otherwise empty.
 std::string sideOf(const std::string& place) {
   return place.starts_with("Head") ? "" : place.substr(0, 1);
 }

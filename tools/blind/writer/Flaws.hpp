@@ -12,23 +12,23 @@
 
 namespace blind {
 
-/// What one joint's mechanism does beside turning. Zero everywhere: a perfect joint.
+/// Flaws of one joint's mechanism.
 struct JointFlaws {
-  double gap = 0;                           // play between motor and link [rad], taken up by the load
-  double gapFriction = 0.03;                // a weaker load leaves the play to the motion [Nm]
-  double stickiness = 0.2;                  // what that friction is in a gear that sticks [Nm]
-  double lag = 0;                           // play that friction holds: taken up by motion alone [rad]
+  double gap = 0;                           // play between motor and link, taken up by the load [rad]
+  double gapFriction = 0.03;                // a smaller load leaves the play to the motion [Nm]
+  double stickiness = 0.2;                  // value of that friction in a sticking gear [Nm]
+  double lag = 0;                           // play held by friction: taken up by motion only [rad]
   double compliance = 0;                    // of the spring between motor and link [rad/Nm]
-  double gain = 0;                          // a turn of the link is read as 1 / (1 + gain) turns [1]
-  double magnetX = 0, magnetY = 0;          // the encoder's magnet off its axis, in parts of its radius [1]
-  double warming = 0;                       // [rad/K] over 30 degrees Celsius
+  double gain = 0;                          // link rotation = (1 + gain) * reading [1]
+  double magnetX = 0, magnetY = 0;          // eccentricity of the encoder's magnet, in units of its radius [1]
+  double warming = 0;                       // drift with temperature above 30 degrees Celsius [rad/K]
   double creep = 0;                         // [rad/s]
   double tiltAlpha = 0, tiltBeta = 0;       // of the axis [rad]
   double ripple = 0;                        // amplitude of a six-lobed gear error [rad]
   double rootSag = 0;                       // [rad/sqrt(Nm)]
   double slip = 0, slipTime = 0;            // a step [rad] at a time [s]
-  double pulled = 0, pulledByMagnitude = 0; // [rad/rad] by another joint's angle, by its magnitude
-  int puller = -1;                          // that joint
+  double pulled = 0, pulledByMagnitude = 0; // [rad/rad] per angle of another joint, per its magnitude
+  int puller = -1;                          // that joint; -1: none
 };
 
 struct CameraFlaws {
@@ -37,12 +37,12 @@ struct CameraFlaws {
   Eigen::Vector2d principal = Eigen::Vector2d::Zero(); // [px]
   double k1 = 0, k2 = 0, p1 = 0, p2 = 0;               // [1]
   double rowTime = 0;                                  // [s/row]
-  double turning = 0;                                  // the mount's slow turn about its y axis [rad/s]
+  double turning = 0;                                  // slow rotation of the mount about its y axis [rad/s]
 };
 
 struct BoardFlaws {
   double scale = 0;           // [1]
-  double bow = 0;             // height of the pattern's centre over its corners when the sheet is bent to a cap [m]
+  double bow = 0;             // height of the centre above the corners of a bent sheet (spherical cap) [m]
   double roll = 0, pitch = 0; // [rad]
 };
 
@@ -51,42 +51,42 @@ struct SoleFlaws {
   double roll = 0, pitch = 0; // [rad]
 };
 
-/// Everything that is wrong with a robot and its surroundings beside its offsets.
+/// All errors of a robot and its surroundings, except joint offsets and camera mounts.
 struct Flaws {
-  std::vector<JointFlaws> joints; // as in the drawing
+  std::vector<JointFlaws> joints; // in the drawing's order
   std::array<CameraFlaws, 2> cameras;
   std::vector<BoardFlaws> boards;
   std::array<SoleFlaws, 2> soles;
   std::map<std::string, double> lengths; // changes [m]
-  double delay = 0;                      // the pictures are so much younger than the angles [s]
+  double delay = 0;                      // images are taken this much later than the angles [s]
 };
 
-/// One kind of hidden flaw and where it can sit.
+/// A kind of hidden flaw and its possible places.
 struct FlawFamily {
   struct Unknown {
     std::string name, unit;
-    double physical;      // a size to be expected of a used robot
-    double plausible = 0; // how large it may plausibly be (1 sigma), where that differs
+    double physical;      // expected size on a used robot
+    double plausible = 0; // plausible size, 1 sigma; 0: same as `physical`
     double wide() const { return plausible > 0 ? plausible : physical; }
   };
-  std::string effect; // the contract's name, or one of our own where the catalogue has none
+  std::string effect; // catalogue name, or a name of our own outside the catalogue
   std::vector<Unknown> unknowns;
-  std::vector<std::string> places; // of joints of a leg without the side's letter
+  std::vector<std::string> places; // for leg joints without the letter of the side
   std::function<void(Flaws&, const Drawing&, const std::string& place, std::span<const double>)> apply;
-  std::vector<std::string> drivers; // outside the catalogue: what the misfit varies with, in any of these words
+  std::vector<std::string> drivers; // outside the catalogue: accepted names of the misfit's driver
 };
 
-/// Effects that every user of the catalogue may find.
+/// Families of the effects catalogue.
 const std::vector<FlawFamily>& catalogue();
-/// A joint that stands otherwise from a time on.
+/// A joint offset that steps at a time.
 const FlawFamily& offsetStep();
-/// Physics that no catalogue lists; `physical` is 0.3 degrees at a joint's usual extreme.
+/// Physical effects not in the catalogue; `physical` is 0.3 degrees at the joint's usual extreme.
 const std::vector<FlawFamily>& offCatalogue();
 
-/// The cameras' own families: shift, focal length, principal point, radial distortion.
+/// Camera families: translation, focal length, principal point, radial distortion.
 const std::vector<std::string>& cameraFamilies();
 
-/// The places of a family for a robot that stands on this foot (0 left, 1 right), as files name them.
+/// The places of a family for a robot on this foot (0 left, 1 right), as named in files.
 std::vector<std::string> placesFor(const FlawFamily& family, int side, std::size_t boards);
 
 } // namespace blind

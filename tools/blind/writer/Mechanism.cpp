@@ -14,7 +14,7 @@ bool feelsLoad(const JointFlaws& flaws) {
   return flaws.gap != 0 || flaws.compliance != 0 || flaws.rootSag != 0;
 }
 
-/// One session in the order of time: what a joint did before matters.
+/// Processes a session in order of time: play depends on the motion history.
 class Walk {
 public:
   Walk(const Robot& robot, const Session& session, const Skeleton& skeleton)
@@ -74,7 +74,7 @@ private:
     return skeleton_.torques(posture, side, skeleton_.torsoFromSole(posture, side).turn * upInSole);
   }
 
-  /// Moves all motors along a straight line, the weight taking up the gaps on the way.
+  /// Moves all motors along a straight line; the load takes up play on the way.
   void walk(const VectorXd& from, const VectorXd& to, int side) {
     constexpr int steps = 4;
     if (std::none_of(robot_.flaws.joints.begin(), robot_.flaws.joints.end(),
@@ -91,7 +91,7 @@ private:
     }
   }
 
-  /// Springs give way until they carry the torque of the posture that they gave way to.
+  /// Deflects springs in equilibrium with gravity in the resulting posture (fixed-point iteration).
   VectorXd balanced(VectorXd links, const VectorXd& motors, int side) const {
     for (Index i = 0; i < links.size(); ++i) {
       links[i] += robot_.flaws.joints[i].gap != 0 ? gaps_[i].link() - motors[i] : 0;
@@ -100,7 +100,7 @@ private:
     if (!loaded_) {
       return links;
     }
-    constexpr int rounds = 6; // each leaves a hundredth of the error, or less
+    constexpr int rounds = 6; // each reduces the error to 1 % or less
     VectorXd sagged = links;
     for (int round = 0; round < rounds; ++round) {
       const VectorXd load = torques(sagged, side);
@@ -139,7 +139,7 @@ double linkAngle(double read, const JointFlaws& flaws) {
     return angle;
   }
   const double shown = angle;
-  for (int round = 0; round < 8; ++round) { // the field's angle differs from the magnet's by little
+  for (int round = 0; round < 8; ++round) { // converges fast: the eccentricity is small
     const double field = std::atan2(std::sin(angle) + flaws.magnetY, std::cos(angle) + flaws.magnetX);
     angle += std::remainder(shown - field, 2 * M_PI);
   }

@@ -19,9 +19,9 @@ using Eigen::VectorXd;
 
 constexpr double nudge = 1e-5; // [rad, m]
 
-using View = std::function<Transform(double)>; // cameraFromBoard with one unknown changed by so much
+using View = std::function<Transform(double)>; // cameraFromBoard with one unknown changed by the argument
 
-/// Derivative of a sight's corners by whatever moves the board in the camera's frame.
+/// Derivative of a sight's corners by a motion of the board in the camera frame.
 Eigen::VectorXd slope(const BoardSight& sight, const View& view) {
   Eigen::VectorXd column{2 * static_cast<Index>(sight.ids.size())};
   const Transform before = view(-nudge), after = view(nudge);
@@ -40,21 +40,21 @@ FloorPlace moved(FloorPlace place, int coordinate, double by) {
   return place;
 }
 
-/// How all corners move with what a calibration does not know, by central differences on a robot without flaws.
+/// Derivatives of all corners by a calibration's unknowns, by central differences on a robot without flaws.
 class Jacobian {
 public:
   static constexpr Eigen::Index chainLength = 8;
 
   Jacobian(const Robot& robot, const Session& session);
 
-  /// [px/rad, px/m]: the motors in use, three turns of each camera, x, y, yaw of every board but the first and of every
+  /// [px/rad, px/m]: motors in use, three rotations per camera, x, y, yaw of every board except the first, and of every
   /// stance.
   const Eigen::MatrixXd& unknowns() const { return unknowns_; }
-  /// How many of them, the last ones, are places.
+  /// Number of placement columns, at the end.
   Eigen::Index placeCount() const { return placeCount_; }
-  /// 1 / sigma^2 of what is plausible: offsets 0.1 rad, camera turns 0.05 rad, places anything.
+  /// 1 / sigma^2 of the priors: offsets 0.1 rad, camera rotations 0.05 rad, placements practically free.
   const Eigen::VectorXd& priorWeights() const { return priorWeights_; }
-  /// [px/rad]: the true angles of the joints between that reading's sole and the cameras.
+  /// [px/rad]: by the true angles of the joints between the reading's sole and the cameras.
   const Eigen::MatrixXd& byChain() const { return byChain_; }
 
 private:
@@ -94,7 +94,7 @@ Jacobian::Jacobian(const Robot& robot, const Session& session) {
   const TruePictures pictures{robot, session};
   Index row = 0;
   std::pair<int, int> before{-1, -1};
-  std::array<std::array<Transform, 2>, chainLength> byJoint; // cameraFromFloor with a joint a step back and forth
+  std::array<std::array<Transform, 2>, chainLength> byJoint; // cameraFromFloor with one joint moved by -nudge, +nudge
   for (const BoardSight& sight : session.sights) {
     const Index height = 2 * static_cast<Index>(sight.ids.size());
     const Stance& stance = session.stances[session.readings[sight.reading].stance];
@@ -124,7 +124,7 @@ Jacobian::Jacobian(const Robot& robot, const Session& session) {
           slope(sight, [&](double by) { return byJoint[i][by > 0 ? 1 : 0] * floorFromBoard; });
       rowsOf(motors.at(chain[i])) = -byChain_.col(i).segment(row, height);
     }
-    for (int axis = 0; axis < 3; ++axis) { // the rotations of a mount that is nearly right, one about each axis
+    for (int axis = 0; axis < 3; ++axis) { // small rotations of the mount, one about each axis
       rowsOf(cameras + 3 * sight.camera + axis) = slope(sight, [&](double by) {
         return Transform{rotationAbout(Eigen::Vector3d::Unit(axis), -by), Eigen::Vector3d::Zero()} * cameraFromFloor *
                floorFromBoard;
@@ -158,7 +158,7 @@ double noiseFloor(const Robot& robot, const Session& session, const ObservedCorn
       row += 2;
     }
   }
-  const Robot sound = withoutFlaws(robot); // for the derivatives, which flaws hardly change
+  const Robot sound = withoutFlaws(robot); // for the derivatives, which flaws hardly affect
   const Jacobian jacobian{sound, asRead};
   const Eigen::MatrixXd places = jacobian.unknowns().rightCols(jacobian.placeCount());
   const Eigen::VectorXd left = missing - places * places.colPivHouseholderQr().solve(missing);

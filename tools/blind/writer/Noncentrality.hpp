@@ -8,35 +8,34 @@
 
 namespace blind {
 
-/// How far corners lie from their predictions by someone who knows the robot with all its flaws, finds out by plain
-/// least squares where boards and feet stand (as a comparison does), but reads the angles with the encoders' errors and
-/// does not know where friction held the links: rms of distances [px].
+/// RMS error [px] of an ideal prediction that knows the robot with all its flaws and fits placements of boards and feet
+/// by plain least squares (as a comparison does), but uses encoder readings with their errors and does not know
+/// frictional deflections.
 double noiseFloor(const Robot& robot, const Session& session, const ObservedCorners& seen);
 
-/// How visible a difference of pictures is to someone who knows the noise but not the robot:
+/// Visibility of a change of the images to an observer who knows the noise but not the robot:
 ///
 ///   lambda = d^T M Sigma^-1 d,  M Sigma^-1 = Sigma^-1 - Sigma^-1 A (A^T Sigma^-1 A + Lambda)^-1 A^T Sigma^-1
 ///
-/// A: derivative of all corners (finite differences) by the offsets of the joints in use, the cameras' rotations and
-/// the places of boards and stances but the first board's; Lambda: how far off offsets and cameras plausibly are.
-/// Sigma: pixels, shifts of pictures, encoder and stiction of each approach, stiction that all approaches of a pose
-/// share.
+/// A: derivative of all corners (finite differences) by the offsets of the joints in use, the camera rotations and the
+/// placements of all boards (except the first) and stances; Lambda: prior information on offsets and cameras. Sigma:
+/// pixel noise, image shifts, encoder error and stiction per approach, stiction common to all approaches of a pose.
 class Noncentrality {
 public:
   Noncentrality(const Robot& robot, const Session& session, const NoiseRegime& noise);
 
-  /// The corners of all sights below each other.
+  /// All corners of all sights in one vector.
   static Eigen::VectorXd stacked(const TruePictures& pictures, const Session& session);
 
-  /// M Sigma^-1 between two differences of pictures; their noncentrality when both are the same.
+  /// M Sigma^-1 product of two image differences; the noncentrality if both are equal.
   double product(const Eigen::VectorXd& left, const Eigen::VectorXd& right) const;
-  /// Sigma^-1 alone: the same to someone who knows the robot too.
+  /// Sigma^-1 product: the same for an observer who knows the robot.
   double knownProduct(const Eigen::VectorXd& left, const Eigen::VectorXd& right) const;
 
 private:
   struct Block { // the rows of one pose
     std::vector<Eigen::Index> rows;
-    Eigen::MatrixXd shared;            // by what is random in common, each of unit variance [px]
+    Eigen::MatrixXd shared;            // by common random variables of unit variance [px]
     Eigen::VectorXd weights;           // 1 / sigma^2 [1/px^2]
     Eigen::LLT<Eigen::MatrixXd> inner; // 1 + shared^T weights shared
   };

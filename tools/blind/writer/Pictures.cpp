@@ -12,7 +12,7 @@ namespace {
 
 constexpr int fewestCorners = 6;
 
-/// The corners of a flat board that lie well inside the picture, if its squares are large enough to be told apart.
+/// Corners of a flat board well inside the image, on squares large enough to be detected.
 std::vector<int> findableCorners(const Transform& cameraFromFloor, const FloorPlace& board) {
   constexpr double margin = 8, smallestHeight = 9; // [px]
   const Transform cameraFromBoard = cameraFromFloor * floorFromPlace(board);
@@ -34,13 +34,13 @@ std::vector<int> findableCorners(const Transform& cameraFromFloor, const FloorPl
   return static_cast<int>(ids.size()) < fewestCorners ? std::vector<int>{} : ids;
 }
 
-/// The radius of the sphere on which an arc of this length, measured from the top, falls by `height`: the solution of
+/// Radius of the sphere on which an arc of length `arc` from the top descends by `height`: solves
 /// (1 - cos x) / x = height / arc for x = arc / radius.
 double capRadius(double arc, double height) {
   double x = 2 * height / arc;
   for (int round = 0; round < 8; ++round) {
     const double half = std::sin(x / 2);
-    x += 2 * (height / arc - 2 * half * half / x); // the left side's slope is nearly 1/2
+    x += 2 * (height / arc - 2 * half * half / x); // Newton step: the left side's slope is nearly 1/2
   }
   return arc / x;
 }
@@ -165,7 +165,7 @@ Transform TruePictures::cameraFromFloor(int reading, int camera, const Eigen::Ve
   return (floorFromSole * torsoFromSole.inverse() * torsoFromCamera).inverse();
 }
 
-/// Rows are exposed one after the other: the row that a point falls on decides when, and when decides the row.
+/// Rolling shutter: the row of a point determines its exposure time and vice versa (fixed-point iteration).
 Eigen::Vector2d TruePictures::exposed(const BoardSight& sight, const Eigen::Vector3d& inFloor) const {
   const CameraFlaws& flaws = robot_.flaws.cameras[sight.camera];
   Eigen::Vector2d seen = projectPoint(cameraFromFloor_[sight.reading][sight.camera] * inFloor, flaws);

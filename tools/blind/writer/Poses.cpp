@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::array<char, 2> letters{'L', 'R'};
 
-/// Mirrors what is said of the left side.
+/// Mirrors a left-side value for the right side.
 double mirrored(int side, double left) {
   return side == 0 ? left : -left;
 }
@@ -55,8 +55,7 @@ std::vector<FloorPlace> placeBoards(int boards, RandomStream& chance) {
   for (int board = 0; board < boards; ++board) {
     const double bearing = -spread / 2 + board * between + chance.uniformWithin(0.05);
     const double distance = chance.between(0.5, 0.66);
-    const double yaw =
-        bearing - std::numbers::pi / 2 + chance.uniformWithin(0.3); // the sheet's upper edge away from the robot
+    const double yaw = bearing - std::numbers::pi / 2 + chance.uniformWithin(0.3); // upper edge away from the robot
     const Transform turned = floorTransform(0, 0, yaw);
     const Eigen::Vector3d middle{0.5 * Sheet::squaresX * Sheet::square, -0.5 * Sheet::squaresY * Sheet::square, 0};
     const Eigen::Vector3d corner =
@@ -126,7 +125,7 @@ bool PoseDrawer::bend(int side, RandomStream& chance, std::optional<double> hipY
   return skeleton_.torsoFromSole(posture, side).turn(2, 2) > leastUpright && feetApart(side, posture);
 }
 
-/// Turns the head so that the camera has the target near its picture's middle.
+/// Turns the head so that the target is near the image centre.
 void PoseDrawer::look(int side, int camera, const Eigen::Vector3d& targetInSole, RandomStream& chance,
                       Eigen::VectorXd& angles) const {
   const Eigen::Vector3d fromNeck = skeleton_.torsoFromSole(skeleton_.posture(angles), side) * targetInSole -
@@ -142,7 +141,7 @@ Eigen::Vector2d PoseDrawer::balancePoint(int side, const Eigen::VectorXd& angles
   return (skeleton_.torsoFromSole(posture, side).inverse() * skeleton_.centreOfMass(posture)).head<2>();
 }
 
-/// Newton's method on the two angles of the standing ankle brings the centre of mass over the target.
+/// Moves the centre of mass above the target by Newton's method on the support ankle's two angles.
 bool PoseDrawer::balance(int side, const Eigen::Vector2d& target, Eigen::VectorXd& angles) const {
   constexpr double step = 1e-5, closeEnough = 1e-4; // [rad], [m]
   const std::array<int, 2> ankle{drawing_.joint(letters[side] + std::string{"AnklePitch"}),
@@ -178,7 +177,7 @@ bool PoseDrawer::withinLimits(const Eigen::VectorXd& angles) const {
       lower = std::max(lower, interpolated(joint.coupled, other, &Drawing::Row::lower));
       upper = std::min(upper, interpolated(joint.coupled, other, &Drawing::Row::upper));
     }
-    const bool resting = angle == joint.resting; // an arm that hangs is not the subject
+    const bool resting = angle == joint.resting; // hanging arms are not checked
     if (!resting && (angle < lower || angle > upper)) {
       return false;
     }
@@ -186,7 +185,7 @@ bool PoseDrawer::withinLimits(const Eigen::VectorXd& angles) const {
   return true;
 }
 
-/// The lifted foot is above the floor and beside the standing one.
+/// Whether the lifted foot is above the floor and beside the support foot.
 bool PoseDrawer::feetApart(int side, const Skeleton::Posture& posture) const {
   constexpr double clearance = 0.01, apart = 0.08; // [m]
   const Transform standingFromLifted =

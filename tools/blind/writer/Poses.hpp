@@ -9,19 +9,20 @@
 
 namespace blind {
 
-/// The joints that move a camera over the standing sole: head and standing leg, hip yaw-pitch by its motor's name.
+/// Joints between the support sole and the cameras: head and support leg; hip yaw-pitch by its motor's name.
 std::vector<int> chainOf(const Drawing& drawing, int side);
 
-/// Places of A2 boards round the robot on which no two overlap.
+/// Non-overlapping places of A2 boards around the robot.
 std::vector<FloorPlace> placeBoards(int boards, RandomStream& chance);
 
-/// Draws attitudes in which a robot stands on one foot without falling: bent somehow, then balanced at the ankle.
+/// Draws stable poses on one foot: random joint angles, balanced at the ankle.
 class PoseDrawer {
 public:
   PoseDrawer(const Drawing& drawing, const Skeleton& skeleton) : drawing_{drawing}, skeleton_{skeleton} {}
 
-  /// One of the cameras looks about at one of the targets (in the standing sole's frame). `worth` of an attitude: how
-  /// much of the boards it sees; the best of some looks is taken, and none below `enough`. Hip yaw-pitch may be given.
+  /// Points one camera roughly at one of the targets (support sole frame). `worth` rates a pose by the visible corners;
+  /// returns the best of several head directions, better than `enough`. `hipYawPitch`: fixed value. Throws
+  /// std::runtime_error if no pose is found.
   Eigen::VectorXd drawStable(int side, int camera, RandomStream& chance,
                              const std::vector<Eigen::Vector3d>& targetsInSole, double enough,
                              const std::function<double(const Eigen::VectorXd&)>& worth,

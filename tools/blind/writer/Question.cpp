@@ -12,9 +12,9 @@ namespace blind {
 
 namespace {
 
-constexpr double mostPhysicalSizes = 6; // a flaw larger than so many of its physical sizes is drawn anew
-constexpr double visible = 10;          // where poses show a flaw less, the question belongs to the absorbed ones
-constexpr double untestable = 1e-4;     // of the evidence: what is left where unknowns imitate a flaw, to first order
+constexpr double mostPhysicalSizes = 6; // in units of the physical size; larger flaws are redrawn
+constexpr double visible = 10;          // noncentrality; smaller flaws count as absorbed
+constexpr double untestable = 1e-4;     // fraction of the evidence; below it unknowns mimic the flaw to first order
 
 const FlawFamily& familyNamed(const std::string& effect) {
   for (const std::vector<FlawFamily>* families : {&catalogue(), &offCatalogue()}) {
@@ -35,7 +35,7 @@ std::string somePlace(const FlawFamily& family, const SessionPlan& plan, RandomS
   return places[chance.below(static_cast<int>(places.size()))];
 }
 
-/// Which effect nobody can see in a session that was planned so.
+/// The effect that a session planned this way cannot test, and its place.
 std::pair<const FlawFamily*, std::string> absorbedEffect(const std::string& kind, const SessionPlan& plan) {
   const std::string letter = plan.mainSide == 0 ? "L" : "R";
   if (kind == "one-sided gap") {
@@ -65,7 +65,7 @@ std::vector<double> physicalSize(const FlawFamily& family, RandomStream& chance)
   return scaled(std::move(values), chance.between(0.7, 1.5));
 }
 
-/// The times of the last reading before a moment and of the first one after it, since the first reading.
+/// Times of the last reading before a moment and of the first one after it, since the first reading.
 template <typename Shows> std::pair<double, double> around(const Session& session, double moment, Shows shows) {
   const double first = session.readings.front().time;
   std::pair<double, double> times{0, session.readings.back().time - first};
@@ -83,8 +83,8 @@ template <typename Shows> std::pair<double, double> around(const Session& sessio
   return times;
 }
 
-/// What does to the pictures what this flaw does, whatever the calibration's own unknowns do about it: other effects at
-/// its place, by their canonical correlation.
+/// Effects at the same place with nearly the same change of the images given the calibration's unknowns, by canonical
+/// correlation.
 std::vector<std::string> twinsOf(const HiddenFlaw& hidden, const FlawSizing& hiding, const SessionPlan& plan,
                                  double alike) {
   std::vector<std::string> twins;
@@ -102,7 +102,7 @@ const FlawFamily& someFamily(RandomStream& chance) {
   return catalogue()[static_cast<std::size_t>(chance.below(static_cast<int>(catalogue().size())))];
 }
 
-/// `haste`: from 0 to 1 the longer nothing was found; demands are lowered accordingly.
+/// `haste`: grows from 0 to 1 with the number of attempts; relaxes the requirements.
 bool hide(const DesignItem& item, double haste, Question& question, RandomStream& chance) {
   const Noncentrality noncentrality{question.robot, question.session, question.plan.noise};
   const FlawSizing hiding{question.robot, question.session, noncentrality};
@@ -174,8 +174,8 @@ Question drawQuestion(const Drawing& drawing, const DesignItem& item, RandomStre
     question.session = stageSession(question.robot, question.plan, placeBoards(question.plan.boards, chance), chance);
     for (JointFlaws& joint : question.robot.flaws.joints) {
       const auto& readings = question.session.readings;
-      joint.slipTime = readings[readings.size() * (30 + chance.below(40)) / 100].time; // when it slips at all
-      joint.stickiness = chance.between(0.05, 0.5);                                    // where its gear plays at all
+      joint.slipTime = readings[readings.size() * (30 + chance.below(40)) / 100].time; // only if it slips
+      joint.stickiness = chance.between(0.05, 0.5);                                    // only if its gear has play
     }
     const bool harmless = item.group == "control" || item.group == "decoy" || item.group == "corrupted" ||
                           item.group == "jitter" || (item.group == "event" && item.kind != "offset step");
@@ -195,7 +195,7 @@ std::optional<Happening> happening(const Question& question) {
   Happening result;
   std::pair<double, double> times;
   const auto stanceOf = [&](int reading) { return session.readings[static_cast<std::size_t>(reading)].stance; };
-  // a sight that something else ties to the rest: of the same board or stance, not both, or from beyond the moment
+  // tied sight: another sight shares its board or stance (not both), or both but across the moment
   const auto tied = [&](const BoardSight& sight, double moment, const auto& sameOther) {
     const auto isAfter = [&](const BoardSight& one) {
       return session.readings[static_cast<std::size_t>(one.reading)].time > moment;
@@ -229,7 +229,7 @@ std::optional<Happening> happening(const Question& question) {
   } else if (!question.hidden.empty() && question.hidden.front().family == &offsetStep()) {
     const HiddenFlaw& step = question.hidden.front();
     const int joint = question.robot.drawing->joint(step.place);
-    const bool ofLegs = !step.place.starts_with("Head") && step.place != "LHipYawPitch"; // that turns both
+    const bool ofLegs = !step.place.starts_with("Head") && step.place != "LHipYawPitch"; // which turns both legs
     times = around(session, question.robot.flaws.joints[static_cast<std::size_t>(joint)].slipTime, [&](int reading) {
       const int side = session.stances[static_cast<std::size_t>(stanceOf(reading))].side;
       return (!ofLegs || (step.place.front() == 'L') == (side == 0)) &&
@@ -250,12 +250,12 @@ std::optional<Happening> happening(const Question& question) {
 
 Session lockedSession(const Question& question, RandomStream& chance) {
   SessionPlan plan = question.plan;
-  plan.poses = 60; // so many that whether the error falls is told by the model, hardly by these poses' own noise
+  plan.poses = 60; // enough that the model, not these poses' noise, determines the error
   plan.samples = 1;
   plan.rests = plan.restands = plan.sortedByKnee = false;
   plan.sameApproach = std::nullopt;
   plan.hipYawPitch = std::nullopt;
-  const Robot sound = withoutFlaws(question.robot); // poses are drawn and boards seen without the flaw
+  const Robot sound = withoutFlaws(question.robot); // poses and visibility are computed without the flaw
   return stageSession(sound, plan, question.session.boards, chance);
 }
 

@@ -6,13 +6,13 @@
 
 namespace blind {
 
-/// Random numbers that a seed and a word repeat on every machine: xoshiro256** (Blackman and Vigna 2018), seeded by
-/// SplitMix64.
+/// Reproducible random numbers from a seed and a word, equal on every machine: xoshiro256** (Blackman and Vigna 2018),
+/// seeded by SplitMix64.
 class RandomStream {
 public:
   RandomStream(std::uint64_t seed, std::string_view purpose);
 
-  std::uint64_t next(); // all its bits
+  std::uint64_t next(); // 64 random bits
   double uniform();     // [0, 1)
   double between(double low, double high) { return low + (high - low) * uniform(); }
   double uniformWithin(double range) { return between(-range, range); }

@@ -16,12 +16,12 @@ namespace blind {
 
 namespace {
 
-constexpr int finer = 3;                                 // pixels of the canvas per pixel of the picture and side
+constexpr int finer = 3;                                 // supersampling: canvas pixels per image pixel and side
 constexpr int printed = 64;                              // pixels of the printed sheet per square
 constexpr double paper = 0.25;                           // margin round the squares [squares]
 constexpr double floorGrey = 105, ink = 40, white = 190; // grey levels
 
-/// The sheet as it comes from the printer, margin and all: black at the top left, markers on white in reading order.
+/// The printed sheet with its margin: black at the top left, markers on white in reading order.
 cv::Mat printedSheet(int firstMarker) {
   const int margin = static_cast<int>(paper * printed);
   cv::Mat sheet(Sheet::squaresY * printed + 2 * margin, Sheet::squaresX * printed + 2 * margin, CV_8U,
@@ -45,7 +45,7 @@ cv::Mat printedSheet(int firstMarker) {
   return sheet;
 }
 
-/// The lines between cells, in squares: the sheet's edges and the squares'.
+/// Lines between cells, in squares: edges of the sheet and of the squares.
 std::vector<double> cellLines(int squares) {
   std::vector<double> lines{-paper};
   for (int i = 0; i <= squares; ++i) {
@@ -55,17 +55,17 @@ std::vector<double> cellLines(int squares) {
   return lines;
 }
 
-/// A place of the picture on the canvas, whose pixel (0, 0) has its centre there too.
+/// Image position on the canvas; pixel (0, 0) is a pixel centre in both.
 cv::Point2f onCanvas(const Eigen::Vector2d& seen) {
   return {static_cast<float>(finer * (seen.x() + 0.5) - 0.5), static_cast<float>(finer * (seen.y() + 0.5) - 0.5)};
 }
 
-/// A place of the sheet (in squares) in the printed picture.
+/// Sheet position (in squares) in the printed image.
 cv::Point2f onPrint(double right, double down) {
   return {static_cast<float>((right + paper) * printed - 0.5), static_cast<float>((down + paper) * printed - 0.5)};
 }
 
-/// What is to become a picture, and where something has been painted.
+/// Supersampled image, and the area painted so far.
 struct Canvas {
   cv::Mat grey = cv::Mat(finer * LensDistortion::height, finer* LensDistortion::width, CV_8U);
   cv::Rect painted;
@@ -85,7 +85,7 @@ void paintCell(const cv::Mat& sheet, const std::array<cv::Point2f, 4>& from, con
   }
   std::array<cv::Point2f, 4> inRoom = to;
   std::vector<cv::Point> polygon;
-  constexpr int fraction = 4; // bits behind the point
+  constexpr int fraction = 4; // fractional bits
   for (cv::Point2f& point : inRoom) {
     point -= cv::Point2f{static_cast<float>(room.x), static_cast<float>(room.y)};
     polygon.emplace_back(cvRound(point.x * (1 << fraction)), cvRound(point.y * (1 << fraction)));
@@ -116,7 +116,7 @@ void paintBoard(const TruePictures& pictures, const BoardSight& sight, const cv:
       for (std::size_t i = 0; i < 4; ++i) {
         from[i] = onPrint(grid[corners[i]].x(), grid[corners[i]].y());
         to[i] = onCanvas(seen[corners[i]]);
-        inFront = inFront && seen[corners[i]].cwiseAbs().maxCoeff() < 4 * LensDistortion::width; // not for NaN
+        inFront = inFront && seen[corners[i]].cwiseAbs().maxCoeff() < 4 * LensDistortion::width; // false for NaN
       }
       if (inFront) {
         paintCell(sheet, from, to, canvas);
@@ -148,14 +148,14 @@ void writePng(const cv::Mat& picture, const std::string& file) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream{std::fopen(file.c_str(), "wb"), std::fclose};
   png_structp writer = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
   png_infop info = png_create_info_struct(writer);
-  if (!stream || setjmp(png_jmpbuf(writer)) != 0) { // libpng jumps here when it gives up
+  if (!stream || setjmp(png_jmpbuf(writer)) != 0) { // libpng jumps here on failure
     throw std::runtime_error{file + ": cannot be written"};
   }
   png_init_io(writer, stream.get());
   png_set_IHDR(writer, info, static_cast<png_uint_32>(picture.cols), static_cast<png_uint_32>(picture.rows), 8,
                PNG_COLOR_TYPE_GRAY, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
   png_set_filter(writer, 0, PNG_FILTER_NONE);
-  png_set_compression_level(writer, 0); // read once and thrown away
+  png_set_compression_level(writer, 0); // uncompressed: read once, then deleted
   png_write_info(writer, info);
   for (int row = 0; row < picture.rows; ++row) {
     png_write_row(writer, picture.ptr(row));
@@ -168,7 +168,7 @@ void writePng(const cv::Mat& picture, const std::string& file) {
 
 void renderSession(const Robot& robot, const Session& session, RandomStream& chance,
                    const std::filesystem::path& folder) {
-  cv::setNumThreads(1); // several sets are written at a time
+  cv::setNumThreads(1); // several sets are written in parallel
   std::filesystem::create_directories(folder / "images");
   const TruePictures pictures{robot, session};
   std::vector<cv::Mat> sheets;

@@ -7,8 +7,8 @@
 
 namespace blind {
 
-/// Writes every picture of a session into the folder, as its captures name them: printed sheets with their margins on
-/// a grey floor, cell by cell through the true corners' homographies, blurred and noisy.
+/// Renders every image of a session into the folder, under its captures' names: printed sheets with margins on a grey
+/// floor, cell by cell through homographies of the true corners, with blur and noise.
 void renderSession(const Robot& robot, const Session& session, RandomStream& chance,
                    const std::filesystem::path& folder);
 

@@ -15,8 +15,7 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-/// How warm the motors are: each follows what it carries with a first-order lag,
-/// dT/dt = (room + heat * torque^2 - T) / slowness.
+/// Motor temperatures with a first-order lag: dT/dt = (room + heat * torque^2 - T) / slowness.
 class MotorTemperatures {
 public:
   MotorTemperatures(std::size_t count, const SessionPlan& plan, RandomStream& chance);
@@ -83,7 +82,7 @@ private:
     const PoseDrawer poses{*robot_.drawing, skeleton_};
     for (int pose = 0; pose < plan_.poses; ++pose) {
       const int stance = plan_.bothSides ? pose % 2 : 0;
-      const int camera = (plan_.bothSides ? pose / 2 : pose) % 2; // both cameras in turns: neither is left untested
+      const int camera = (plan_.bothSides ? pose / 2 : pose) % 2; // alternates cameras, so that both are tested
       const auto worth = [&](const VectorXd& angles) {
         return cornersInView(skeleton_, session_.stances[stance], camera, session_.boards, angles);
       };
@@ -103,7 +102,7 @@ private:
     }
   }
 
-  /// The boards' middles.
+  /// Centres of the boards in the sole's frame.
   std::vector<Eigen::Vector3d> targets(const Stance& stance) const {
     const Transform soleFromFloor = floorFromPlace(stance.place).inverse();
     std::vector<Eigen::Vector3d> middles;
@@ -114,7 +113,7 @@ private:
     return middles;
   }
 
-  /// All samples of a pose.
+  /// Records all samples of a pose.
   void take(int pose) {
     const VectorXd& angles = poses_[pose].angles;
     const Index joints = angles.size();
@@ -171,7 +170,7 @@ private:
     return plan_.rests && repeat == 1 && pose % 3 == 0 ? RepeatKind::rest : RepeatKind::reapproach;
   }
 
-  /// The servo stops where its dead zone begins or friction holds it, and the encoder reads that in its steps.
+  /// The servo stops within its dead zone, friction holds the link, and the encoder quantises the reading.
   void approach(Reading& reading, const VectorXd& sticking) {
     constexpr double deadZone = 0.0015, least = 0.08, most = 0.2; // [rad]
     const Index joints = reading.commanded.size();
@@ -192,7 +191,7 @@ private:
     }
   }
 
-  /// The encoder tells something else at every reading of a motor that stands still.
+  /// Adds reading jitter of a motor that stands still.
   void jitter(Reading& reading) {
     for (Index i = 0; plan_.noise.jitter > 0 && i < reading.measured.size(); ++i) {
       const double stands = reading.measured[i] + reading.unread[i];
@@ -202,7 +201,7 @@ private:
     }
   }
 
-  /// Both hip yaw-pitch joints are one motor with one encoder.
+  /// Both hip yaw-pitch joints share one motor and encoder.
   void oneMotor(Reading& reading) const {
     const auto& joints = robot_.drawing->joints;
     for (std::size_t i = 0; i < joints.size(); ++i) {
@@ -216,7 +215,7 @@ private:
     }
   }
 
-  /// Time goes by at a posture.
+  /// Advances time and temperatures at a posture.
   void pass(double duration, const VectorXd& angles, int stance) {
     time_ += duration;
     const int side = session_.stances[stance].side;
@@ -239,7 +238,7 @@ private:
   MotorTemperatures motors_;
   double time_ = 0;
   int approaches_ = 0;
-  Reading calm_; // the last one, without its jitter
+  Reading calm_; // last reading without jitter
 };
 
 } // namespace

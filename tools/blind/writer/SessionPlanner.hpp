@@ -11,35 +11,35 @@ namespace blind {
 
 constexpr double encoderStep = 2 * std::numbers::pi / 4096; // [rad]
 
-/// What is random in a measurement.
+/// Measurement noise.
 struct NoiseRegime {
   std::string name = "clean";
-  double pixel = 0.3;         // of a corner, per axis [px]
-  bool heavyTails = false;    // corners by Student's t with 4 degrees of freedom instead of Gauss, of the same sigma
-  bool quantised = false;     // readings rounded to the encoder's steps instead of Gauss, of the same sigma
-  double stiction = 0;        // [rad]; half of its variance is common to all approaches of a pose
-  double pictureBias = 0;     // a shift common to a picture's corners, per axis [px]
-  bool foreshortened = false; // corners of slanted boards are worse
-  double jitter = 0;          // of every reading, at rest too: the motor stands still [rad]
+  double pixel = 0.3;         // of a corner, per axis, 1 sigma [px]
+  bool heavyTails = false;    // Student's t with 4 degrees of freedom for corners instead of normal; same sigma
+  bool quantised = false;     // readings rounded to encoder steps instead of normal noise; same sigma
+  double stiction = 0;        // 1 sigma [rad]; half of the variance is common to all approaches of a pose
+  double pictureBias = 0;     // shift common to an image's corners, per axis, 1 sigma [px]
+  bool foreshortened = false; // more noise on slanted boards
+  double jitter = 0;          // of every reading, even while the motor stands still, 1 sigma [rad]
 };
 
-/// How a session is to be held.
+/// Plan of a session.
 struct SessionPlan {
   int poses = 20, samples = 3, boards = 4;
-  int mainSide = 0;                     // of the foot that carries; the other one stands idle
-  bool bothSides = false;               // half of the poses on either foot
-  bool rests = false, restands = false; // some samples are repeated without moving, some after standing up anew
+  int mainSide = 0;                     // support foot: 0 left, 1 right
+  bool bothSides = false;               // half of the poses on each foot
+  bool rests = false, restands = false; // some repeats without moving, some in a new stance
   bool sortedByKnee = false;            // instead of a random order
-  bool sameTemperature = false;         // the motors keep 38 degrees
-  bool warmAnyhow = false;              // recorded temperatures wander with nothing that matters
-  std::optional<RepeatKind> repeats;    // all samples of a pose are repeated this way
-  std::optional<int> sameApproach;      // a joint always approached from below
-  std::optional<double> hipYawPitch;    // kept at one angle [rad]
-  double speed = 0.03;                  // rms of the residual motion when a picture is taken [rad/s]
+  bool sameTemperature = false;         // motors stay at 38 degrees Celsius
+  bool warmAnyhow = false;              // recorded temperatures vary independently of the load
+  std::optional<RepeatKind> repeats;    // one repeat kind for all samples of a pose
+  std::optional<int> sameApproach;      // joint always approached from below
+  std::optional<double> hipYawPitch;    // fixed angle [rad]
+  double speed = 0.03;                  // residual speed during exposure, rms [rad/s]
   NoiseRegime noise;
 };
 
-/// Lets a robot without flaws but with its offsets stand in front of boards as planned.
+/// Simulates a session of a robot without flaws, but with its offsets, in front of boards.
 Session stageSession(const Robot& robot, const SessionPlan& plan, const std::vector<FloorPlace>& boards,
                      RandomStream& chance);
 

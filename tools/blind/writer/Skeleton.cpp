@@ -8,8 +8,8 @@ namespace {
 
 constexpr double gravity = 9.81; // [m/s^2]
 
-/// The two directions about which an axis is tilted: (y, z) for x, (z, x) for y, (x, y) for z; for the hip's skew axis
-/// x and axis * x.
+/// Tilts an axis about two directions: (y, z) for x, (z, x) for y, (x, y) for z; for the hip's skew axis x
+/// and axis * x.
 Eigen::Vector3d tiltedAxis(const Eigen::Vector3d& axis, const JointFlaws& flaws) {
   if (flaws.tiltAlpha == 0 && flaws.tiltBeta == 0) {
     return axis;
@@ -102,9 +102,10 @@ Eigen::Vector3d Skeleton::centreOfMass(const Posture& posture) const {
   return sum / mass_;
 }
 
-/// A joint of the standing leg turns everything above it backwards; any other joint turns what hangs on it.
+/// A joint of the support leg moves everything above it in the opposite direction; other joints move what hangs on
+/// them.
 Eigen::VectorXd Skeleton::torques(const Posture& posture, int side, const Eigen::Vector3d& up) const {
-  std::vector<double> carried(screws_.size(), 0.0); // by the joint: mass beyond it
+  std::vector<double> carried(screws_.size(), 0.0); // per joint: mass beyond it
   std::vector<Eigen::Vector3d> moment(screws_.size(), Eigen::Vector3d::Zero());
   Eigen::Vector3d wholeMoment = Eigen::Vector3d::Zero();
   for (const Weight& weight : weights_) {

@@ -5,7 +5,7 @@
 
 namespace blind {
 
-/// A rotation about the origin, then a shift.
+/// A rotation about the origin, then a translation.
 struct Transform {
   Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
   Eigen::Vector3d shift = Eigen::Vector3d::Zero();
@@ -19,22 +19,22 @@ Eigen::Matrix3d rotationAbout(const Eigen::Vector3d& axis, double angle); // Rod
 Transform floorTransform(double x, double y, double yaw);                 // on the floor
 Eigen::Matrix3d tiltRotation(double roll, double pitch);                  // Ry(pitch) * Rx(roll)
 
-/// A robot's links as one product of exponentials: at angles q the point that lies at p in the torso's frame at zero
-/// angles lies at exp(screw_1 q_1) ... exp(screw_n q_n) p (Brockett 1984).
+/// Link poses by a product of exponentials: a point at p in the torso's frame at zero angles moves to
+/// exp(screw_1 q_1) ... exp(screw_n q_n) p (Brockett 1984).
 class Skeleton {
 public:
   Skeleton(const Drawing& drawing, const Flaws& flaws);
 
-  using Posture = std::vector<Transform>; // by joint: where its link went from its place at zero angles
+  using Posture = std::vector<Transform>; // by joint: motion of its link from its pose at zero angles
   Posture posture(const Eigen::VectorXd& angles) const;
 
   Transform torsoFromSole(const Posture& posture, int side) const;
-  /// x forward along the optical axis; `mountTurn` after the nominal mount, `shift` in the head's frame.
+  /// x forward along the optical axis; `mountTurn`: applied after the nominal mount; `shift`: in the head's frame.
   Transform torsoFromCamera(const Posture& posture, int camera, const Eigen::Matrix3d& mountTurn,
                             const Eigen::Vector3d& shift) const;
   Eigen::Vector3d centreOfMass(const Posture& posture) const; // in the torso's frame [m]
-  /// What gravity does to each joint with one sole held still, `up` in the torso's frame [Nm]. Both hip yaw-pitch
-  /// joints get their motor's sum.
+  /// Gravity torque on each joint with one sole fixed, `up` in the torso's frame [Nm]. Both hip yaw-pitch joints get
+  /// the sum at their motor.
   Eigen::VectorXd torques(const Posture& posture, int side, const Eigen::Vector3d& up) const;
   double mass() const { return mass_; }
 

@@ -23,7 +23,7 @@ json effectsJson(const Question& question) {
       const FlawFamily::Unknown& unknown = hidden.family->unknowns[i];
       unknowns[unknown.name] = {{"value", hidden.values[i]}, {"unit", unknown.unit}};
     }
-    if (hidden.family->effect == "gearPlay") { // the contract's t counts from 0.2 Nm
+    if (hidden.family->effect == "gearPlay") { // the catalogue's t is relative to 0.2 Nm
       const int joint = question.robot.drawing->joint(hidden.place);
       const double friction = question.robot.flaws.joints[static_cast<std::size_t>(joint)].gapFriction;
       unknowns["t"] = {{"value", friction - 0.2}, {"unit", "Nm"}};

@@ -34,20 +34,20 @@ std::vector<std::string> without(const std::vector<std::string>& labels, const s
   return rest;
 }
 
-/// Where to begin: the base model, or that of the result that was opened.
+/// The initial revision: the base model, or the model of the opened result.
 ModelRevision initialRevision(const Dataset& opened, const Measurements& measurements) {
   if (opened.terms.empty()) {
     return {.with = opened.with, .without = opened.without, .definitions = opened.definitions};
   }
   const std::vector<std::string> base = termLabels(buildModel(measurements));
   std::vector<std::string> with = without(opened.terms, base);
-  // the base has every offset that can be asked for; others are along because torques depend on them
+  // the base model has every selectable offset; the others are included because torques depend on them
   std::erase_if(with, [](const std::string& label) { return label.starts_with("jointOffset@"); });
   return {.with = std::move(with), .without = without(base, opened.terms), .definitions = opened.definitions};
 }
 
 std::filesystem::path written(const TemporaryDirectory& folder, const Json& content) {
-  std::filesystem::path file = folder.path() / "content.json"; // readers of files read files
+  std::filesystem::path file = folder.path() / "content.json"; // the readers take file names
   writeAtomically(file, content.dump());
   return file;
 }
@@ -104,8 +104,7 @@ void AnalysisSession::fit() {
   enter(session_);
 }
 
-/// Goes on with this session once the fit of its current model has come out well; whatever is thrown before leaves
-/// everything as it was.
+/// Fits the session's current model, then makes the session current; strong exception guarantee.
 void AnalysisSession::enter(Session session) {
   ModelRevision& rung = session.current();
   const Model model = buildModel(measurements_, rung.with, rung.without, effects(rung));
@@ -182,7 +181,7 @@ void AnalysisSession::searchMissing(const std::function<bool()>& goesOn) {
   asked.shouldContinue = goesOn;
   Json found = diagnosisPanelJson(diagnose(measurements_, asked));
   found["stopped"] = !goesOn();
-  found["with"] = session_.current().with; // of the model that it began with
+  found["with"] = session_.current().with; // the model that the search started from
   tell_("found", found);
 }
 
@@ -203,7 +202,7 @@ void AnalysisSession::defineEffect(const Json& effect) {
   const std::string step = isIn        ? "changed " + made.name
                            : at == "*" ? made.name + " offered at every joint"
                                        : "+ " + label;
-  if (at != "*") { // where it was before, it is no more
+  if (at != "*") { // replaces the previous place
     std::erase_if(rung.with, isIt);
     rung.with.push_back(label);
   }

@@ -11,49 +11,50 @@
 
 namespace naocal {
 
-/// The loop of a person with captures: add, drop, look, go back. Knows no threads and no sockets: everything that
-/// changes is told to whoever asked for it, in units that people read.
+/// Interactive analysis of captures: add and drop effects, test candidates, go back. Not thread-safe; independent of
+/// sockets. Reports every change to the sink, in display units.
 ///
-/// Told kinds: "set" (what was opened, the effects that there are; again when a person's own change), "ladder" (all
-/// models that were tried, and the current one), "fit" (estimates and residuals of the model), "questions" (its
-/// candidates, map, curves), "found" (what a search for all that is missing says), "next" (poses that would tell more),
+/// Kinds of messages: "set" (the dataset and the available effects; again after a change of custom effects), "ladder"
+/// (all model revisions, and the current one), "fit" (estimates and residuals of the model), "questions" (its
+/// candidates, map, curves), "found" (result of a search for missing effects), "next" (proposed poses), "compared"
+/// (errors on other captures).
 /// "compared" (other captures' errors).
 class AnalysisSession {
 public:
   using MessageSink = std::function<void(const std::string& kind, const nlohmann::json& content)>;
   AnalysisSession(Dataset opened, MessageSink tell);
 
-  /// Fits the current model, a changed one that comes last in the history (`Session`), or an earlier one. Throw
-  /// InputError for what cannot be done.
+  /// Fits the current model, a modified one that becomes the last revision (`Session`), or an earlier one. Throw
+  /// InputError for impossible changes.
   void fit();
   void add(const std::string& label);
   void drop(const std::string& label);
   void goTo(std::size_t number);
 
-  /// Tests all candidates of the current model: seconds.
+  /// Tests all candidates of the current model; takes seconds.
   void testCandidates();
-  /// Adds what is missing as long as the captures bear it and `goesOn` agrees, without changing the model: many
-  /// seconds.
+  /// Adds missing effects as long as the captures support them and `goesOn` returns true, without changing the model;
+  /// takes many seconds.
   void searchMissing(const std::function<bool()>& goesOn);
-  /// Proposes poses that would best tell what the model leaves open: some seconds.
+  /// Proposes poses that best resolve the open questions of the model; takes seconds.
   void proposePoses(std::size_t count);
-  /// How well the fit predicts captures that it has not seen.
+  /// Errors of the fit's prediction on captures not used for it.
   void compareWith(const Dataset& others);
-  /// What naocal would write of the model: "result.json", "diagnosis.json", "poses.json", "model.json", "report.html"
-  /// of the result, "diagnosis.html", "session.json". Throws InputError for another name, or where nothing was
-  /// proposed.
+  /// The content of a file for the current model: "result.json", "diagnosis.json", "poses.json", "model.json",
+  /// "report.html" (of the result), "diagnosis.html", "session.json". Throws InputError for another name, or for
+  /// "poses.json" without proposed poses.
   std::string generateFile(const std::string& name);
 
-  /// Takes a person's own effect in, in place of one of that name, as a new revision: in the model where it sits at a
-  /// joint, else as a candidate everywhere.
+  /// Adds a custom effect, or replaces the one of the same name, as a new revision: as a term if it belongs to one
+  /// joint, otherwise as a candidate at every joint.
   void defineEffect(const nlohmann::json& effect);
 
-  /// Whether a person's own effect can be used with these captures: {"ok": true}, or {"ok": false, "sentence": ..,
-  /// "letter": place in the correction's text or absent}. May be called while another thread works with the rest.
+  /// Validates a custom effect for these captures: {"ok": true}, or {"ok": false, "sentence": .., "letter": position in
+  /// the correction's text or absent}. May run concurrently with the other functions.
   nlohmann::json checkEffect(const nlohmann::json& effect) const;
 
 private:
-  static constexpr const char* definitionsName = "your own effects"; // in refusals, for a file
+  static constexpr const char* definitionsName = "your own effects"; // file name in error messages
 
   std::vector<Effect> effects(const ModelRevision& rung) const;
   void tellSet(const ModelRevision& rung);
@@ -68,10 +69,10 @@ private:
   const Measurements measurements_;
   MessageSink tell_;
   Session session_;
-  std::string toldDefinitions_;        // the person's own effects, as they were last told
-  nlohmann::json result_;              // of its current model, as a file has it
-  std::optional<Diagnosis> diagnosis_; // of it, once it was put to the question
-  std::optional<NextPoses> next_;      // and proposed for
+  std::string toldDefinitions_;        // custom effects last reported
+  nlohmann::json result_;              // RESULT.json document of the current model
+  std::optional<Diagnosis> diagnosis_; // of the current model; absent: not tested yet
+  std::optional<NextPoses> next_;      // of the current model; absent: not proposed yet
 };
 
 } // namespace naocal

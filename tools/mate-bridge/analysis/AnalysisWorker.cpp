@@ -19,11 +19,11 @@ using Json = nlohmann::json;
 
 constexpr std::string_view fitting = "fitting";
 
-/// Pictures below the sets' own folders only, whatever a captures.json names.
+/// The sets' image files by "SET/CAPTURE"; only files inside the sets' folders, whatever captures.json names.
 std::map<std::string, std::filesystem::path> imagesOf(const Dataset& opened) {
   std::map<std::string, std::filesystem::path> images;
   for (const CaptureSet& set : opened.sets) {
-    std::error_code ignored; // what no path can be is no picture
+    std::error_code ignored; // an invalid path is no image
     const std::filesystem::path folder = std::filesystem::weakly_canonical(opened.folders.at(set.name), ignored);
     for (const Capture& capture : set.captures) {
       const std::filesystem::path file = std::filesystem::weakly_canonical(folder / capture.image, ignored);
@@ -52,7 +52,7 @@ AnalysisWorker::AnalysisWorker(Dataset opened, MessageSink tell)
 }
 
 AnalysisWorker::~AnalysisWorker() {
-  cancelled_ = true; // its thread ends sooner
+  cancelled_ = true; // speeds up the end of the thread
 }
 
 void AnalysisWorker::work(std::string_view what, std::function<void(AnalysisSession&)> task) {
@@ -60,7 +60,7 @@ void AnalysisWorker::work(std::string_view what, std::function<void(AnalysisSess
     tell_("work", jsonText({{"kind", "work"}, {"what", what}}));
     try {
       task(*session_);
-    } catch (const std::exception& error) { // a full disk, too, must not end the bridge
+    } catch (const std::exception& error) { // any failure, such as a full disk, must not end the bridge
       tell_("refused", jsonText({{"kind", "refused"}, {"sentence", error.what()}}));
       if (!isFitted_ && what == fitting) {
         tell_("unfitted", jsonText({{"kind", "unfitted"}, {"sentence", error.what()}}));
@@ -73,7 +73,7 @@ void AnalysisWorker::work(std::string_view what, std::function<void(AnalysisSess
 void AnalysisWorker::testCandidates() {
   ++questions_;
   work("testing causes", [this](AnalysisSession& session) {
-    if (--questions_ == 0 && isFitted_) { // else the model has changed since: the last one answers
+    if (--questions_ == 0 && isFitted_) { // otherwise the model has changed since: only the last test runs
       session.testCandidates();
     }
   });
@@ -143,7 +143,7 @@ std::optional<std::string> AnalysisWorker::picture(std::string_view path) const 
   const auto found = images_.find(std::string{path});
   try {
     return found == images_.end() ? std::nullopt : std::optional{readFile(found->second)};
-  } catch (const InputError&) { // it was taken away
+  } catch (const InputError&) { // the file was removed
     return std::nullopt;
   }
 }
@@ -153,7 +153,7 @@ void AnalysisSlot::setDataset(Dataset opened) {
   auto fresh =
       std::make_unique<AnalysisWorker>(std::move(opened), [this, number](const std::string& kind, std::string json) {
         later_([this, number, kind, told = makeMessage(std::move(json))] {
-          if (number == number_) { // else other captures were opened since
+          if (number == number_) { // otherwise other captures were opened meanwhile
             remember(kind, told);
             all_(told);
           }
@@ -162,7 +162,7 @@ void AnalysisSlot::setDataset(Dataset opened) {
   number_ = number;
   latest_.clear();
   all_(makeMessage(R"({"kind": "opened"})"));
-  if (worker_) { // it ends what it is at, which may take seconds
+  if (worker_) { // finishes its current task, which may take seconds
     leaving_.enqueue([old = std::shared_ptr<AnalysisWorker>{std::move(worker_)}] {});
   }
   worker_ = std::move(fresh);
@@ -190,7 +190,7 @@ void AnalysisSlot::open(const std::vector<std::string>& paths,
   });
 }
 
-/// What was said of another fit is not true of a new one.
+/// Keeps a message for new panels; a new fit discards messages about the previous one.
 void AnalysisSlot::remember(const std::string& kind, const Message& told) {
   constexpr std::array<std::string_view, 4> ofFit{"questions", "next", "compared", "unfitted"};
   if (kind == "refused" || kind == "made") {

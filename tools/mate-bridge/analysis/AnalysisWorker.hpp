@@ -19,37 +19,37 @@ namespace naocal {
 
 class AnalysisSession;
 
-/// Runs an AnalysisSession on a thread of its own: takes the panel's requests and reports progress. After every change
-/// of the model all candidates are tested, unless another change waits.
+/// Runs an AnalysisSession on its own thread: queues the panel's requests and reports progress. Tests all candidates
+/// after every model change, unless another change is queued.
 class AnalysisWorker {
 public:
-  /// A message for all panels: its kind, and its JSON. Called on the worker's thread. Beside the session's kinds:
-  /// "work" (what it is at), "refused", "unfitted" (why there is no fit at all), "made".
+  /// Receives messages for all panels: kind and JSON. Called on the worker's thread. In addition to the session's
+  /// kinds: "work" (current activity), "refused", "unfitted" (reason of a failed initial fit), "made".
   using MessageSink = std::function<void(const std::string& kind, std::string json)>;
 
-  /// Starts with the first fit. Throws InputError for captures that the robot cannot have made.
+  /// Queues the initial fit. Throws InputError for captures that do not match the robot.
   AnalysisWorker(Dataset opened, MessageSink tell);
   ~AnalysisWorker();
 
-  /// As AnalysisSession, later and on the worker's thread. These change the model:
+  /// As in AnalysisSession, asynchronous. These change the model:
   void add(const std::string& label);
   void drop(const std::string& label);
   void goTo(std::size_t number);
   void defineEffect(const nlohmann::json& effect);
-  /// These leave it as it is:
+  /// These do not change it:
   void searchMissing();
   void cancelSearch();
   void proposePoses(int count);
   void compareWith(const std::vector<std::string>& paths);
   void generateFile(const std::string& name);
 
-  /// Whether a person's own effect can be used; at once, whatever the worker is busy with.
+  /// Validates a custom effect; synchronous, even while the worker is busy.
   nlohmann::json checkEffect(const nlohmann::json& effect) const;
 
-  /// A file that was made ("made" says when).
+  /// A generated file, available after its "made" message; otherwise absent.
   std::optional<std::string> generatedFile(const std::string& name) const;
 
-  /// The file of a picture that was kept: "SET/CAPTURE". Absent when there is none.
+  /// The image file of a capture, "SET/CAPTURE"; absent if there is none.
   std::optional<std::string> picture(std::string_view path) const;
 
 private:
@@ -59,32 +59,31 @@ private:
 
   MessageSink tell_;
   std::atomic<bool> isFitted_ = false;
-  std::map<std::string, std::filesystem::path> images_; // "SET/CAPTURE"
-  std::shared_ptr<AnalysisSession> session_;            // of the worker's thread
+  std::map<std::string, std::filesystem::path> images_; // file by "SET/CAPTURE"
+  std::shared_ptr<AnalysisSession> session_;            // used by the worker's thread
   std::atomic<bool> cancelled_ = false;
-  std::atomic<int> questions_ = 0; // that wait
+  std::atomic<int> questions_ = 0; // queued candidate tests
   mutable std::mutex mutex_;
-  std::map<std::string, std::string> made_;   // files by name
-  Worker thread_{Worker::AtEnd::presentTask}; // last: it uses the others
+  std::map<std::string, std::string> made_;   // generated files by name
+  Worker thread_{Worker::AtEnd::presentTask}; // last: uses the members above
 };
 
-/// The analysis of the captures that are open, and its replacement: captures are opened by a thread of their own, as
-/// reading and detecting corners takes long and robots must be reached meanwhile. Used on the panel's thread only.
+/// Holds the analysis of the open captures and replaces it. A separate thread opens captures, because reading and
+/// corner detection take long and robots must stay reachable. Used on the panel's thread only.
 class AnalysisSlot {
 public:
-  using PostToPanelThread = std::function<void(std::function<void()>)>; // to the panel's thread, from any other
+  using PostToPanelThread = std::function<void(std::function<void()>)>; // thread-safe
   using Broadcast = std::function<void(const Message& message)>;        // to every panel
   AnalysisSlot(PostToPanelThread later, Broadcast all) : later_{std::move(later)}, all_{std::move(all)} {}
 
-  /// Analyses these captures instead of the present ones. Throws InputError for captures that the robot cannot have
-  /// made.
+  /// Replaces the analysis. Throws InputError for captures that do not match the robot.
   void setDataset(Dataset opened);
-  /// Opens captures and analyses them, later; `refused` gets the reason why not.
+  /// Opens captures asynchronously and analyses them; on failure calls `refused` with the reason.
   void open(const std::vector<std::string>& paths, std::function<void(const std::string& problem)> refused);
 
-  /// nullptr: nothing is open yet.
+  /// nullptr if no captures are open.
   AnalysisWorker* worker() const { return worker_.get(); }
-  /// What a panel that comes must know, in the order in which it was told.
+  /// The last message of each kind, in order, for a new panel.
   const std::vector<std::pair<std::string, Message>>& latest() const { return latest_; }
 
 private:
@@ -93,8 +92,8 @@ private:
 
   PostToPanelThread later_;
   Broadcast all_;
-  std::size_t number_ = 0;                              // of the worker
-  std::vector<std::pair<std::string, Message>> latest_; // what it told last, by kind
+  std::size_t number_ = 0;                              // number of the current worker
+  std::vector<std::pair<std::string, Message>> latest_; // by kind
   std::unique_ptr<AnalysisWorker> worker_;
   Worker leaving_{Worker::AtEnd::presentTask}, opening_{Worker::AtEnd::presentTask}; // last: they end first
 };

@@ -18,13 +18,13 @@ namespace naocal {
 
 namespace {
 
-/// A path that cannot be looked at holds none: whose reader says what is wrong.
+/// Whether a folder holds a capture set; false if it cannot be accessed (the reader then reports the problem).
 bool isSet(const std::filesystem::path& folder) {
   std::error_code ignored;
   return std::filesystem::exists(folder / "captures.json", ignored);
 }
 
-/// A set to those that are opened; pictures whose corners were not looked for are searched. Throws InputError.
+/// Reads a set; detects corners in images without detections. Throws InputError.
 void addSet(const std::string& folder, Dataset& opened) {
   CaptureSet set = readCaptureSet(folder, BadCapturePolicy::refuse).set;
   if (std::any_of(set.captures.begin(), set.captures.end(), [](const Capture& one) { return !one.corners; })) {
@@ -38,13 +38,13 @@ void addSet(const std::string& folder, Dataset& opened) {
   opened.sets.push_back(std::move(set));
 }
 
-/// Whether that is a folder; what cannot be looked at is none.
+/// Whether the path is a folder; false if it cannot be accessed.
 bool isDirectory(const std::filesystem::path& path) {
   std::error_code ignored;
   return std::filesystem::is_directory(path, ignored);
 }
 
-/// The folder of a set as a document names it: as it is written, else beside the document. Throws InputError.
+/// The folder of a set named in a document: the path as written, otherwise beside the document. Throws InputError.
 std::string resolveFolder(const std::string& written, const std::filesystem::path& document) {
   const std::filesystem::path beside =
       document.parent_path() / std::filesystem::path{written}.lexically_normal().filename();
@@ -59,7 +59,7 @@ std::string resolveFolder(const std::string& written, const std::filesystem::pat
                   document.string(), written, beside.string())};
 }
 
-/// A set, or the sets that lie in a folder of them, as the robot records a calibration. Throws InputError.
+/// Adds a set, or all sets in a folder, as in a robot's recording. Throws InputError.
 void addFolder(const std::string& folder, Dataset& opened) {
   std::vector<std::string> sets;
   if (!isSet(folder) && isDirectory(folder)) {
@@ -72,7 +72,7 @@ void addFolder(const std::string& folder, Dataset& opened) {
     std::sort(sets.begin(), sets.end());
   }
   if (sets.empty()) {
-    sets.push_back(folder); // whose reader says what is wrong
+    sets.push_back(folder); // the reader reports the problem
   }
   for (const std::string& set : sets) {
     addSet(set, opened);
@@ -84,14 +84,14 @@ bool isDocument(const std::string& path) {
   return std::filesystem::is_regular_file(path, ignored) || (!isDirectory(path) && path.ends_with(".json"));
 }
 
-/// The sets that a document was made from.
+/// Adds the sets that a document refers to.
 void addInputs(const JsonCursor& inputs, const std::string& file, Dataset& opened) {
   for (const JsonCursor& set : inputs.at("sets").elements()) {
     addSet(resolveFolder(set.text(), file), opened);
   }
 }
 
-/// A diagnosis: its sets, unless they are named, and what it suggests.
+/// Adds a diagnosis: the suggested effects, and its sets unless sets are given.
 void addDiagnosis(const JsonCursor& diagnosis, const std::string& file, bool setsAreNamed, Dataset& opened) {
   for (const JsonCursor& label : diagnosis.at("suggested").elements()) {
     opened.with.push_back(label.text());
@@ -116,7 +116,7 @@ void addResult(const JsonCursor& result, const std::string& file, Dataset& opene
   addInputs(result.at("inputs"), file, opened);
 }
 
-/// The round of a robot's recording that its calibration was solved from: the recording's first, or the folder itself.
+/// The solved round of a robot's recording: its subfolder "first", or the folder itself.
 std::optional<std::filesystem::path> solvedRound(const std::filesystem::path& folder) {
   for (const std::filesystem::path& round : {folder / "first", folder}) {
     std::error_code ignored;
@@ -129,8 +129,8 @@ std::optional<std::filesystem::path> solvedRound(const std::filesystem::path& fo
   return std::nullopt;
 }
 
-/// A folder that is opened alone: of a robot's recording the solved round, with the model that it was solved with. What
-/// was taken to check it was taken with other offsets, and is opened by its own name.
+/// Adds a folder opened alone. A robot's recording gives the solved round and its model; the check round was taken with
+/// other offsets and must be opened explicitly.
 void addAlone(const std::string& folder, Dataset& opened) {
   if (const auto round = solvedRound(folder)) {
     addSet(round->string(), opened);
@@ -140,7 +140,7 @@ void addAlone(const std::string& folder, Dataset& opened) {
   }
 }
 
-/// A model: what was added, taken out and defined; of which captures is for others to say.
+/// Adds a model: added, removed and custom effects; the caller gives the captures.
 void addModel(const JsonCursor& model, const std::string& file, bool alone, Dataset& opened) {
   if (alone) {
     throw InputError{fmt::format("{}: a model is opened together with captures; name them behind it", file)};
@@ -157,7 +157,7 @@ void addModel(const JsonCursor& model, const std::string& file, bool alone, Data
   }
 }
 
-/// A session: its ladder, and its sets unless they are named.
+/// Adds a session: its revisions, and its sets unless sets are given.
 void addSession(const JsonCursor& document, const std::string& file, bool alone, Dataset& opened) {
   Session session = readSession(file);
   if (alone) {
@@ -168,7 +168,7 @@ void addSession(const JsonCursor& document, const std::string& file, bool alone,
   opened.at = session.at;
 }
 
-/// A result, a diagnosis, a session or a model, which may stand with its sets.
+/// Adds a result, a diagnosis, a session or a model; `alone`: no sets are given.
 void addDocument(const std::string& file, bool alone, Dataset& opened) {
   const nlohmann::json document = parseJson(readFile(file), file);
   const JsonCursor place{document, file};

@@ -11,30 +11,29 @@
 
 namespace naocal {
 
-/// What a person opened: capture sets, and the model to begin with.
+/// An opened dataset: capture sets and the initial model.
 struct Dataset {
   std::vector<CaptureSet> sets;
   ResultSources inputs;
-  std::map<std::string, std::filesystem::path> folders; // by the set's name
+  std::map<std::string, std::filesystem::path> folders; // by set name
   Robot robot;
-  std::vector<std::string> terms; // of the result that was opened; empty: the base model
+  std::vector<std::string> terms; // of the opened result; empty: base model
   std::vector<std::string> with,
-      without;                       // what a diagnosis or a model that was opened adds to the base model, and lacks
-  std::string definitions = "[]";    // the person's own effects: a list of JSON
-  std::vector<ModelRevision> ladder; // of a session that goes on, in place of all these
-  std::size_t at = 0;                // where one stands on it
-  std::string sessionFile;           // that keeps the ladder from now on; may be empty
+      without;                       // differences from the base model, of an opened diagnosis or model
+  std::string definitions = "[]";    // custom effects, a JSON list
+  std::vector<ModelRevision> ladder; // revisions of an opened session; replaces the members above
+  std::size_t at = 0;                // current revision
+  std::string sessionFile;           // file that stores the session; may be empty
 };
 
 /// Opens capture sets (folders with captures.json), folders of sets, recordings of the robot, or one RESULT.json,
-/// DIAGNOSIS.json or session together with the sets that it was made from (as they are written there, or beside it;
-/// behind an older diagnosis they are named), or a MODEL.json with sets behind it. A robot's recording that is opened
-/// alone opens with the round that it was solved from and the model that it was solved with. Pictures whose corners
-/// were not looked for are searched, and nothing is written. Throws InputError that names file, what was expected and
-/// found.
+/// DIAGNOSIS.json or session together with its sets (at the recorded path, or beside the document; for an older
+/// diagnosis they must be given), or a MODEL.json with sets. A robot's recording opened alone gives the round that was
+/// solved and its model. Detects corners in images without detections; writes nothing. Throws InputError that names
+/// file, expectation and finding.
 Dataset openDataset(const std::vector<std::string>& paths);
 
-/// The same, and keeps a session of it in a file: goes on from it where it is there already.
+/// Like `openDataset`, and stores the session in `file`; continues it if the file exists.
 Dataset openSession(std::vector<std::string> paths, const std::string& file);
 
 } // namespace naocal

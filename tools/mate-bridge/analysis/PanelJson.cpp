@@ -36,8 +36,8 @@ Json driversJson(const std::vector<DriverSeries>& drivers, const Robot& robot) {
   return list;
 }
 
-/// What is plotted first and next, and the errors of joints that can be plotted beside those of corners: a joint's
-/// points are [pictures, error, sigma] [°].
+/// Suggested plots, and joint errors for plotting in place of corner errors: a joint's points are [pictures, error,
+/// sigma] [°].
 Json tellingJson(const TellingPairs& telling, const std::vector<DriverSeries>& drivers, const Robot& robot) {
   constexpr std::size_t mostPairs = 6;
   const auto errorOf = [&](const TellingPair& pair) -> std::string {
@@ -74,7 +74,7 @@ Json tellingJson(const TellingPairs& telling, const std::vector<DriverSeries>& d
           {"joints", std::move(joints)}};
 }
 
-/// The pictures, worst first; `index` says where a driver has its value.
+/// The images, worst first; `index` is their index in the drivers' values.
 Json picturesJson(const Dataset& opened, const Measurements& measurements, const JsonCursor& result) {
   std::map<std::pair<std::string, int>, std::size_t> indices;
   for (std::size_t i = 0; i < measurements.pictures.size(); ++i) {
@@ -90,8 +90,8 @@ Json picturesJson(const Dataset& opened, const Measurements& measurements, const
   return list;
 }
 
-/// What a robot's own calibration would set of this fit: offsets that a constant angle can compensate and that the
-/// captures tell, and cameras' mounts.
+/// Settings of a robot's calibration equivalent to this fit: learned offsets that constant angles can compensate, and
+/// camera mounts.
 Json compensationJson(const FittedModel& fitted) {
   Json offsets = Json::array(), untold = Json::array(), mounts = Json::array();
   for (const EffectiveOffset& offset : effectiveOffsets(fitted)) {

@@ -8,17 +8,17 @@
 
 namespace naocal {
 
-/// A fit as the panel shows it: verdict, estimates, every corner's residual by picture, worst first, and what was
-/// recorded at each picture. Angles in degrees, lengths in millimetres. `document`: as RESULT.json has it.
+/// A fit for the panel: verdict, estimates, every corner's residual by image, worst first, and the drivers recorded at
+/// each image. Angles in degrees, lengths in millimetres. `document`: content of RESULT.json.
 nlohmann::json fitJson(const nlohmann::json& document, const Dataset& opened, const FittedModel& fitted);
 
-/// The effects that there are: name, what it is, formula, unknowns with what is plausible.
+/// The available effects: name, description, formula, unknowns with their plausible size.
 nlohmann::json effectsJson(const std::vector<Effect>& effects);
 
-/// A diagnosis as the panel shows it; as in the report.
+/// A diagnosis in the format of the report.
 nlohmann::json diagnosisPanelJson(const Diagnosis& diagnosis);
 
-/// A model that was tried, for the panel's ladder.
+/// A model revision for the panel's history.
 nlohmann::json revisionPanelJson(const ModelRevision& rung);
 
 } // namespace naocal

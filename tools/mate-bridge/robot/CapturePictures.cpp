@@ -11,7 +11,7 @@ using Json = nlohmann::json;
 
 constexpr std::uint64_t patient = 4000,
                         nearby = 1000; // how long pictures wait for captures; how far one may be off [ms]
-constexpr std::size_t mostTaken = 400; // captures whose pictures are kept
+constexpr std::size_t mostTaken = 400; // captures with stored images
 
 std::uint64_t distance(std::uint64_t a, std::uint64_t b) {
   return a < b ? b - a : a - b;
@@ -24,7 +24,7 @@ void CapturePictures::beginWatch() {
   seen_.clear();
 }
 
-/// Takes the picture where it is nearer than the one that the capture has.
+/// Assigns the image if it is nearer in time than the present one.
 bool CapturePictures::offer(Taken& taken, const Seen& seen) const {
   const std::uint64_t off = taken.time ? distance(*taken.time, seen.time) : nearby + 1;
   if (off > nearby || (taken.file && taken.off <= off)) {
@@ -68,7 +68,7 @@ bool CapturePictures::onCaptures(const Json& captures, std::uint64_t timestamp) 
 bool CapturePictures::onImage(const std::string& camera, std::uint64_t timestamp, std::string_view file) {
   std::deque<Seen>& pictures = seen_[camera];
   if (!pictures.empty() && timestamp < pictures.back().time) {
-    pictures.clear(); // the robot was started anew
+    pictures.clear(); // the robot was restarted
   }
   const Seen& seen = pictures.emplace_back(Seen{timestamp, std::make_shared<const std::string>(file)});
   bool changed = false;

@@ -15,8 +15,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr double sameHeight = 0.01; // of soles that both carry [m]
-constexpr double farthest = 3;      // of what is drawn of a view [m]
+constexpr double sameHeight = 0.01; // [m]; up to this difference both soles carry
+constexpr double farthest = 3;      // [m]; limit of drawn views
 
 Json rounded(const Eigen::Vector3d& point) {
   Json list = Json::array();
@@ -37,7 +37,7 @@ Eigen::Vector3d ray(const RigidTransform& floorFromOptical, const CameraIntrinsi
          Eigen::Vector3d{(ideal.x() - lens.cx) / lens.fx, (ideal.y() - lens.cy) / lens.fy, 1};
 }
 
-/// The picture's rim on the floor, where it looks too far or above the horizon at the end of what is drawn.
+/// The image's border projected onto the floor; limited to `farthest`, also above the horizon.
 Json viewOnFloor(const RigidTransform& eye, const CameraIntrinsics& lens) {
   constexpr int steps = 12; // per side
   const Eigen::Vector2d last{lens.width - 1, lens.height - 1};
@@ -56,14 +56,15 @@ Json viewOnFloor(const RigidTransform& eye, const CameraIntrinsics& lens) {
   return polygon;
 }
 
-constexpr std::size_t mostViews = 60;             // that a mean is made of
-constexpr double movedBy = 0.15, turnedBy = 0.35; // then the board or the robot was moved [m, rad]
+constexpr std::size_t mostViews = 60;             // views averaged
+constexpr double movedBy = 0.15, turnedBy = 0.35; // beyond these the board or the robot has moved: restarts the mean
+                                                  // [m, rad]
 
 double turn(double from, double to) {
   return std::remainder(to - from, 2 * M_PI);
 }
 
-/// Where the picture shows a point of the floor.
+/// Projects a point of the floor.
 Eigen::Vector2d pixelOf(const Eigen::Vector3d& onFloor, const CameraView& eye) {
   const Eigen::Vector3d seen = eye.floorFromOptical.inverse() * onFloor;
   return LensDistortion{eye.lens}.distort(
@@ -105,7 +106,7 @@ Json RobotOutline::toJson(const LiveCameras& cameras) const {
     const RigidTransform& link = floorFromLink_[part.link];
     hull.push_back({rounded(link * part.from), rounded(link * part.to), part.radius});
   }
-  constexpr double bone = 0.02; // radius [m]: what the shells leave open
+  constexpr double bone = 0.02; // [m]; fills gaps between the capsules
   for (std::size_t i = 0; i < drawing_.links.size(); ++i) {
     if (const auto parent = drawing_.links[i].parent; parent && drawing_.links[i].joint) {
       hull.push_back({rounded(floorFromLink_[*parent].translation), rounded(floorFromLink_[i].translation), bone});
@@ -142,7 +143,7 @@ std::optional<Eigen::VectorXd> parseNamedAngles(const Json& byName, const Robot&
     if (!value.is_number()) {
       return std::nullopt;
     }
-    if (joint) { // else fingers
+    if (joint) { // hands are not in the drawing
       angles[static_cast<Eigen::Index>(*joint)] = value.get<double>();
     }
   }
@@ -196,7 +197,7 @@ std::vector<Eigen::Vector2d> FloorBoardTracker::update(const BoardCorners& seen,
   if (described == nullptr || seen.ids.size() < 2 || !std::all_of(seen.ids.begin(), seen.ids.end(), isOnIt)) {
     return {};
   }
-  // the rotation and shift of the plane that fit best: Umeyama's, in two dimensions
+  // best rotation and translation in the plane (Umeyama, 2-D)
   std::vector<Eigen::Vector2d> onBoard, there;
   for (std::size_t i = 0; i < seen.ids.size(); ++i) {
     const auto place = intersectFloor(eye.floorFromOptical, eye.lens, seen.uv[i]);

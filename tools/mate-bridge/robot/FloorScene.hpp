@@ -15,29 +15,30 @@
 
 namespace naocal {
 
-/// What is believed of a camera beyond the drawing.
+/// Live calibration of a camera.
 struct LiveCamera {
   CameraIntrinsics intrinsics;
-  Eigen::Vector3d rotation = Eigen::Vector3d::Zero(); // of its mount: rx, ry, rz in the camera's axes [rad]
+  Eigen::Vector3d rotation = Eigen::Vector3d::Zero(); // mount relative to the drawing: rx, ry, rz in the camera's axes
+                                                      // [rad]
 };
 using LiveCameras = std::map<std::string, LiveCamera>; // "top", "bottom"
 
-/// A robot on the floor at given angles. The floor's frame is the sole of the foot that carries it, the lower one; the
-/// left one where both do (they differ by less than a centimetre): x forward, y left, z up [m].
+/// A robot standing on the floor at given angles. Floor frame: sole of the lower foot, of the left one if both carry
+/// (they differ by less than a centimetre); x forward, y left, z up [m].
 class RobotOutline {
 public:
   /// `angles`: one per joint of the drawing [rad].
   RobotOutline(const Robot& drawing, const Eigen::VectorXd& angles);
 
-  /// Which feet carry it: "left", "right", "both".
+  /// Supporting feet: "left", "right", "both".
   const std::string& carries() const { return carries_; }
 
-  /// floorFromOptical (x right, y down, z forward); absent: the robot has no such camera.
+  /// floorFromOptical (x right, y down, z forward); absent if the robot has no such camera.
   std::optional<RigidTransform> floorFromOptical(const std::string& camera, const LiveCamera& belief) const;
 
-  /// For a drawing: `hull` [[from, to, radius]] of its parts, `feet` {left, right} their outlines, `centre` of mass,
-  /// `gaze` [from, to] from the top camera ahead, `carries` "left" | "right" | "both", `views` by camera: what it sees
-  /// of the floor up to 3 m, as a polygon [m].
+  /// Outline for display: `hull` [[from, to, radius]] of its parts, `feet` {left, right} their outlines, `centre` of
+  /// mass, `gaze` [from, to] from the top camera ahead, `carries` "left" | "right" | "both", `views` by camera: the
+  /// visible floor up to 3 m, as a polygon [m].
   nlohmann::json toJson(const LiveCameras& cameras) const;
 
 private:
@@ -47,34 +48,33 @@ private:
   std::string carries_ = "both";
 };
 
-/// Angles by the joints' names, those that are not named at rest (0). Absent: some value is no number.
+/// Angles by joint name; unnamed joints are 0. Absent if a value is not a number.
 std::optional<Eigen::VectorXd> parseNamedAngles(const nlohmann::json& byName, const Robot& drawing);
 
-/// Angles in HULKs' order of joints, as robots send them. Absent: there are not as many, or they are no numbers.
+/// Angles in HULKs' joint order, as robots send them. Absent for a wrong number of values or non-numbers.
 std::optional<Eigen::VectorXd> parseOrderedAngles(const nlohmann::json& list, const Robot& drawing);
 
-/// Where a ray through a pixel meets the floor; absent where it does not [m].
+/// Intersection of a pixel's ray with the floor [m]; absent above the horizon.
 std::optional<Eigen::Vector2d> intersectFloor(const RigidTransform& floorFromOptical, const CameraIntrinsics& lens,
                                               const Eigen::Vector2d& pixel);
 
-/// A picture's camera when it was taken.
+/// A camera's pose and intrinsics at exposure.
 struct CameraView {
   RigidTransform floorFromOptical;
   CameraIntrinsics lens;
 };
 
-/// Boards on the floor as pictures show them, one after the other: where each lies in the mean of its last views, and
-/// where a picture should hence show its corners. What is off from picture to picture is what the robot does not know
-/// about its joints and cameras.
+/// Tracks boards on the floor over live images: the mean of each board's last poses predicts its corners in the next
+/// image. Differences between images show unmodelled joint and camera errors.
 class FloorBoardTracker {
 public:
   explicit FloorBoardTracker(std::vector<Board> boards) : boards_{std::move(boards)} {}
 
-  /// Takes a view of a board in and returns where these corners should have been [px]. Empty: the picture does not tell
-  /// where it lies (a corner above the horizon), or there is no such board or corner.
+  /// Adds a view of a board and returns the predicted corners [px]. Empty if the pose is undetermined (a corner above
+  /// the horizon, fewer than two corners) or the board or a corner is unknown.
   std::vector<Eigen::Vector2d> update(const BoardCorners& seen, const CameraView& eye);
 
-  /// For a plan: [{"id", "columns", "rows", "square", "x", "y", "yaw"}] of those seen so far [m, rad].
+  /// Floor plan of the tracked boards: [{"id", "columns", "rows", "square", "x", "y", "yaw"}] [m, rad].
   nlohmann::json toJson() const;
 
 private:
@@ -85,7 +85,7 @@ private:
   Place mean(const std::string& id) const;
 
   std::vector<Board> boards_;
-  std::map<std::string, std::deque<Place>> views_; // by board, the last ones
+  std::map<std::string, std::deque<Place>> views_; // last views by board
 };
 
 } // namespace naocal

@@ -19,7 +19,7 @@ using Json = nlohmann::json;
 using SteadyClock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds betweenScenes{100}, betweenLooks{250};
-constexpr std::uint64_t remembered = 2000; // of the joints' angles [ms]
+constexpr std::uint64_t remembered = 2000; // joint angles kept [ms]
 
 LiveCameras camerasOf(const Json& value) {
   LiveCameras cameras;
@@ -36,7 +36,7 @@ LiveCameras camerasOf(const Json& value) {
   return cameras;
 }
 
-/// Focal length and centre for a picture of another size than they were told for.
+/// Scales intrinsics to another image size.
 CameraIntrinsics scaled(CameraIntrinsics lens, int width, int height) {
   const double factor = double(width) / lens.width;
   lens.fx *= factor;
@@ -59,7 +59,7 @@ Json listOf(const std::vector<Eigen::Vector2d>& pixels) {
 
 } // namespace
 
-/// What the thread works with.
+/// State shared with the detection thread.
 struct LiveDetection::VisibleBoard {
   std::mutex mutex;
   std::vector<Board> boards;
@@ -76,7 +76,7 @@ LiveDetection::~LiveDetection() = default;
 void LiveDetection::onUpdate(const Json& update) {
   const Json& value = update.at("value");
   if (update.at("key") == keys[1]) {
-    if (jsonText(value) != camerasText_) { // calibrated: boards lie elsewhere than they seemed to
+    if (jsonText(value) != camerasText_) { // calibration changed: board poses are outdated
       camerasText_ = jsonText(value);
       cameras_ = camerasOf(value);
       const std::lock_guard lock{sight_->mutex};
@@ -85,7 +85,7 @@ void LiveDetection::onUpdate(const Json& update) {
   } else if (auto angles = parseOrderedAngles(value, drawing_)) {
     const std::uint64_t now = update.at("timestamp").get<std::uint64_t>();
     if (!angles_.empty() && now + remembered < angles_.rbegin()->first) {
-      angles_.clear(); // the robot was started anew
+      angles_.clear(); // the robot was restarted
     }
     angles_[now] = std::move(*angles);
     angles_.erase(angles_.begin(), angles_.lower_bound(now < remembered ? 0 : now - remembered));
@@ -151,7 +151,7 @@ void LiveDetection::onImage(const std::string& key, std::uint64_t timestamp, int
         corners.insert(corners.end(), seen.uv.begin(), seen.uv.end());
         boards.push_back({{"board", seen.board}, {"measured", listOf(seen.uv)}, {"predicted", listOf(predicted)}});
       }
-    } catch (const std::exception&) { // a picture that was cut short, or no picture: the next one comes
+    } catch (const std::exception&) { // ignores a truncated or invalid image
     }
     {
       const std::lock_guard lock{sight->mutex};
@@ -170,7 +170,7 @@ std::string LiveDetection::cameraOf(std::string_view key) {
 }
 
 void LiveDetection::onOffsets(const Json& offsets) {
-  findUncalibrated(drawing_, offsets, {}); // throws for what are none
+  findUncalibrated(drawing_, offsets, {}); // throws for invalid offsets
   offsets_ = offsets;
 }
 
@@ -184,7 +184,7 @@ void LiveDetection::onConfiguration(const Json& settings) {
       for (const JsonCursor& place : JsonCursor{entry.at("value"), "the robot's boards"}.elements()) {
         boards.push_back(readBoard(place));
       }
-    } catch (const InputError&) { // the robot itself says what is wrong with them
+    } catch (const InputError&) { // the robot reports the problem itself
       return;
     }
     const std::lock_guard lock{sight_->mutex};

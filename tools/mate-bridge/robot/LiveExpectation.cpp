@@ -24,7 +24,7 @@ double sigmaOf(const std::string& effect) {
       .sigma;
 }
 
-/// soleFromOptical of the drawing at angles, the mount turned.
+/// soleFromOptical of the drawing at `angles`; `turned`: mount rotation.
 RigidTransform seenFrom(const Sole& sole, const Robot& drawing, const Eigen::VectorXd& angles, std::size_t camera,
                         const Eigen::Vector3d& turned) {
   const LinkPoses torsoFromLink = forwardKinematics(drawing, angles);
@@ -34,7 +34,7 @@ RigidTransform seenFrom(const Sole& sole, const Robot& drawing, const Eigen::Vec
   return torsoFromLink[sole.link].inverse() * torsoFromLink[mount.link] * linkFromOptical(mount, believed);
 }
 
-/// A motion of the camera over the floor without what the boards take up: their turn and shift within the plane.
+/// Removes a camera motion's yaw and translation in the floor plane, which the tracked boards absorb.
 RigidTransform withoutPlane(const RigidTransform& motion) {
   const double yaw =
       std::atan2(motion.rotation(1, 0) - motion.rotation(0, 1), motion.rotation(0, 0) + motion.rotation(1, 1));
@@ -42,7 +42,7 @@ RigidTransform withoutPlane(const RigidTransform& motion) {
   return plane.inverse() * motion;
 }
 
-/// Mean square of how far corners move when the camera sits elsewhere [px^2]; absent corners lie above the horizon.
+/// Mean square shift of corners when the camera moves [px^2]; skips corners above the horizon.
 double meanSquare(const RigidTransform& floorFromOptical, const RigidTransform& moved, const CameraIntrinsics& lens,
                   const std::vector<Eigen::Vector2d>& pixels) {
   const RigidTransform left = withoutPlane(moved * floorFromOptical.inverse()) * floorFromOptical;
@@ -65,7 +65,7 @@ double meanSquare(const RigidTransform& floorFromOptical, const RigidTransform& 
   return count > 0 ? sum / double(count) : 0;
 }
 
-/// The soles that carry; the lower one, or both.
+/// The supporting soles: the lower one, or both.
 std::vector<const Sole*> carrying(const Robot& drawing, const Eigen::VectorXd& angles) {
   const std::string carries = RobotOutline{drawing, angles}.carries();
   std::vector<const Sole*> soles;
@@ -77,7 +77,7 @@ std::vector<const Sole*> carrying(const Robot& drawing, const Eigen::VectorXd& a
   return soles;
 }
 
-/// "left leg" when all of its joints are among these, which are taken out then.
+/// If `joints` has all joints of a leg, removes them and adds "the left leg" to `limbs`.
 void takeLimb(const Robot& drawing, const std::string& side, std::vector<std::string>& joints,
               std::vector<std::string>& limbs) {
   std::vector<std::string> all;
@@ -122,14 +122,14 @@ LiveExpectation predictLiveError(const Robot& drawing, const Eigen::VectorXd& an
   if (!index || soles.empty()) {
     return result;
   }
-  // small steps, in proportion: far from zero a tilted camera would see boards beyond the horizon
+  // small steps, scaled linearly: full steps could move boards beyond the horizon
   constexpr double step = 1e-3; // [rad]
   const double ofJoint = sigmaOf("jointOffset") / step, ofMount = sigmaOf("cameraRotation") / step;
   std::set<std::size_t> counted;
   double squares = 0;
   for (const Sole* const sole : soles) {
     const RigidTransform here = seenFrom(*sole, drawing, angles, *index, belief.rotation);
-    const double share = 1.0 / double(soles.size() * soles.size()); // of a mean of independent legs' variances
+    const double share = 1.0 / double(soles.size() * soles.size()); // variance of a mean of independent legs
     std::vector<std::size_t> chain = ancestorJoints(drawing, sole->link);
     const std::vector<std::size_t> neck = ancestorJoints(drawing, drawing.cameras[*index].link);
     chain.insert(chain.end(), neck.begin(), neck.end());
@@ -142,9 +142,9 @@ LiveExpectation predictLiveError(const Robot& drawing, const Eigen::VectorXd& an
       const double square =
           meanSquare(here, seenFrom(*sole, drawing, moved, *index, belief.rotation), belief.intrinsics, pixels) *
           ofJoint * ofJoint;
-      const bool isOfNeck = std::find(neck.begin(), neck.end(), joint) != neck.end(); // the same seen from either sole
+      const bool isOfNeck = std::find(neck.begin(), neck.end(), joint) != neck.end(); // common to both soles
       squares += square * (isOfNeck ? 1.0 / double(soles.size()) : share);
-      constexpr double unseen = 1; // [px^2]: what shows nowhere is not worth a word
+      constexpr double unseen = 1; // [px^2]; smaller contributions are not listed
       if (square > unseen) {
         counted.insert(joint);
       }

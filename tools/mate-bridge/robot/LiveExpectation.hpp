@@ -9,29 +9,28 @@
 
 namespace naocal {
 
-/// What nobody calibrated on a robot yet: joints by name, cameras.
+/// Uncalibrated joints and cameras, by name.
 struct Uncalibrated {
   std::set<std::string> joints, cameras;
 };
 
-/// Joints whose offset and cameras whose mount angles are exactly as drawn. `offsets`: the keys of
+/// Joints and cameras whose offset or mount rotation is exactly zero. `offsets`: the keys of
 /// Motion.JointCalibrationProvider, [{"key": "headYaw", "value": 0}].
 Uncalibrated findUncalibrated(const Robot& drawing, const nlohmann::json& offsets, const LiveCameras& cameras);
 
-/// What a comparison of live predictions with live pictures rests on.
+/// Expected error of live predictions.
 struct LiveExpectation {
-  std::vector<std::string> joints; // between floor and camera, not calibrated
-  bool camera = false;             // its mount is not calibrated either
-  double px = 0;                   // rms of the corners that these are expected to be off by, one standard error
+  std::vector<std::string> joints; // uncalibrated joints between floor and camera
+  bool camera = false;             // its mount is uncalibrated
+  double px = 0;                   // expected rms of corner errors, 1 sigma [px]
 
   /// "The right leg was never calibrated: errors up to 40 px are plausible."
   std::string sentence(const Robot& drawing, const std::string& camera) const;
 };
 
-/// How far corners seen at `pixels` may be off in a camera: each offset and mount angle that was never calibrated is
-/// unknown by the sigma that its effect declares. `FloorBoardTracker` puts the boards where pictures show them, so what
-/// moves the whole floor within its plane (a turned HeadYaw) shows nowhere and does not count. A robot on both feet
-/// stands on the mean of what either leg says.
+/// Predicts the error of corners at `pixels`. Each uncalibrated offset and mount angle has the sigma that its effect
+/// declares. `FloorBoardTracker` places boards where images show them, so motions of the whole floor within its plane
+/// (a rotation of HeadYaw) are invisible and excluded. For a robot on both feet the two legs are averaged.
 LiveExpectation predictLiveError(const Robot& drawing, const Eigen::VectorXd& angles, const std::string& camera,
                                  const LiveCamera& belief, const std::vector<Eigen::Vector2d>& pixels,
                                  const Uncalibrated& uncalibrated);

@@ -64,10 +64,10 @@ namespace {
 
 constexpr std::chrono::milliseconds pauseBetweenTries{1000}, heartbeat{2000}, longestSilence{6000};
 
-/// Largest body that a robot sends: a list of all keys with their values, or an image [bytes].
+/// Largest body accepted from a robot: a list of all keys with their values, or an image [bytes].
 constexpr std::uint32_t maxBodyBytes = 32 << 20;
 
-/// What a robot did whose frame cannot be read; without the robot's name. Empty for a frame in order.
+/// The problem of a frame header, without the robot's name; empty if valid.
 std::string describeRobotProblem(const FrameHeader& header, const FrameFormat& format) {
   switch (header.problem) {
   case FrameProblem::magic:
@@ -83,7 +83,7 @@ std::string describeRobotProblem(const FrameHeader& header, const FrameFormat& f
   return "";
 }
 
-/// One of a robot's two sockets: connects, cuts what comes into frames, sends frames. Ends once, with a sentence.
+/// One of a robot's two sockets: connects, splits received bytes into frames, sends frames. Ends once, with a sentence.
 class RobotSocket : public std::enable_shared_from_this<RobotSocket> {
 public:
   struct Callbacks {
@@ -93,10 +93,10 @@ public:
   };
   RobotSocket(boost::asio::io_context& context, const FrameFormat& format, Callbacks calls);
 
-  /// `offset`: of the TCP port above the base port; `name`: of the UNIX socket.
+  /// `offset`: TCP port above the base port; `name`: of the UNIX socket.
   void connect(const RobotAddress& place, std::uint16_t offset, const std::string& name);
   void send(std::string frame);
-  /// Ends without a call.
+  /// Closes without calling `ended`.
   void drop();
 
 private:
@@ -114,7 +114,7 @@ private:
   boost::asio::steady_timer patience_;
   bool open_ = true;
   std::string header_, body_;
-  std::deque<std::string> queue_; // the first is being written
+  std::deque<std::string> queue_; // the front is being written
 };
 
 using Error = boost::system::error_code;
@@ -131,7 +131,7 @@ void RobotSocket::connect(const RobotAddress& place, std::uint16_t offset, const
   });
   if (place.host.empty()) {
     const std::string path = (place.folder / name).string();
-    constexpr std::size_t longest = 107; // of a UNIX socket's path, sockaddr_un
+    constexpr std::size_t longest = 107; // of a UNIX socket path (sockaddr_un)
     if (path.size() > longest) {
       boost::asio::post(socket_.get_executor(), [self = shared_from_this()] {
         self->end("has a socket whose path is longer than 107 letters, which no system opens");
@@ -238,14 +238,13 @@ void RobotSocket::drop() {
 
 } // namespace
 
-/// What goes on between a RobotClient and its robot.
+/// Connection state of a RobotClient.
 class RobotClient::Implementation : public std::enable_shared_from_this<Implementation> {
 public:
   Implementation(boost::asio::io_context& context, const std::string& address, RobotCallbacks calls);
 
   void connect();
   void drop();
-  /// As RobotClient.
   void suspend();
   void resume();
   bool isConnected() const { return missing_ == 0; }
@@ -253,9 +252,8 @@ public:
 
   void subscribe(const std::string& key);
   void unsubscribe(const std::string& key);
-  /// As RobotClient.
   bool authenticate(const std::string& settings);
-  /// False: not connected, so nothing was sent.
+  /// False if not connected; nothing was sent.
   bool send(ConfigType type, std::string_view body = {});
 
 private:
@@ -270,13 +268,13 @@ private:
   RobotCallbacks calls_;
   boost::asio::steady_timer timer_;
   std::shared_ptr<RobotSocket> debug_, config_;
-  int missing_ = 2; // sockets that are not connected
+  int missing_ = 2; // sockets not connected yet
   bool rests_ = false;
   std::string sentence_ = "connecting";
   std::chrono::steady_clock::time_point heard_;
-  std::set<std::string> keys_; // subscribed to
-  std::string introduction_;   // settings that are sent first
-  bool isWelcome_ = false;     // the robot has shown its mounts on this connection
+  std::set<std::string> keys_; // subscriptions
+  std::string introduction_;   // settings sent first after connecting
+  bool isWelcome_ = false;     // the robot has listed its mounts on this connection
 };
 
 RobotClient::Implementation::Implementation(boost::asio::io_context& context, const std::string& address,
@@ -330,7 +328,7 @@ void RobotClient::Implementation::opened() {
   calls_.changed();
 }
 
-/// A robot whose cable was pulled says nothing: now and then it is asked for a word.
+/// Keep-alive: requests LIST after 1 s without traffic; drops the connection after 6 s.
 void RobotClient::Implementation::listen() {
   timer_.expires_after(heartbeat);
   timer_.async_wait([weak = weak_from_this()](boost::system::error_code stopped) {
@@ -352,7 +350,7 @@ void RobotClient::Implementation::listen() {
 
 void RobotClient::Implementation::ended(const std::string& why) {
   if (missing_ == 0 && !isWelcome_) {
-    introduction_.clear(); // the robot did not like it
+    introduction_.clear(); // the robot rejected it
   }
   missing_ = 2;
   debug_->drop();

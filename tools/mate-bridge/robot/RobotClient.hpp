@@ -14,7 +14,7 @@ class io_context;
 
 namespace naocal {
 
-/// Where a robot's sockets are: "nao21", "10.1.24.31:12440" (base port; debug is one above, configuration two), or a
+/// Address of a robot's sockets: "nao21", "10.1.24.31:12440" (base port; debug is one above, configuration two), or a
 /// folder with the UNIX sockets `debug` and `config`.
 struct RobotAddress {
   std::string host;             // empty: UNIX sockets
@@ -22,20 +22,20 @@ struct RobotAddress {
   std::filesystem::path folder; // of UNIX sockets
 };
 
-/// Throws InputError that says what is expected.
+/// Throws InputError that gives the expected format.
 RobotAddress parseRobotAddress(const std::string& address);
 
-/// Which of a robot's mounts may be asked for their keys. HULKs' own service ends at the name of a mount that it does
-/// not have, so that a question waits until the robot has listed its mount.
+/// Delays requests for a mount's keys until the robot has listed the mount: HULKs' own service crashes on an unknown
+/// mount name.
 class MountRegistry {
 public:
   explicit MountRegistry(std::function<void(const std::string& mount)> ask) : ask_{std::move(ask)} {}
 
-  /// Asks now, or once the mount is listed.
+  /// Requests the keys now, or as soon as the mount is listed.
   void request(const std::string& mount);
-  /// The robot's list: {"keys": [{"key": mount}]}. Throws Json::exception for anything else.
+  /// Handles the robot's list: {"keys": [{"key": mount}]}. Throws Json::exception for an invalid list.
   void onListed(const nlohmann::json& told);
-  /// It may be another robot, or another program on it, that comes back.
+  /// Resets the state after a disconnect: another robot or program may answer next.
   void forget();
 
 private:
@@ -43,36 +43,36 @@ private:
   std::set<std::string> listed_, wanted_;
 };
 
-/// What a robot tells; bodies as they came, JSON where it should be.
+/// Receives a robot's messages: unparsed bodies, JSON unless noted.
 struct RobotCallbacks {
-  std::function<void()> changed; // connected, or not any more: `sentence` says why
+  std::function<void()> changed; // connected or disconnected: see `sentence`
   std::function<void(const std::string&body)> list, update, mounts, keys;
-  std::function<void(const std::string& body)> picture; // an IMAGE's body
+  std::function<void(const std::string& body)> picture; // body of an IMAGE frame
 };
 
-/// A robot's two sockets: connects, asks what there is, and when they break says why and connects anew after a second,
-/// with everything that was subscribed to. All on the thread that runs the context.
+/// A robot's two sockets: connects, requests the lists, and after a failure reconnects once per second and renews all
+/// subscriptions. Runs on the context's thread only.
 class RobotClient {
 public:
-  /// Throws InputError for an address that cannot be one.
+  /// Throws InputError for an invalid address.
   RobotClient(boost::asio::io_context& context, const std::string& address, RobotCallbacks calls);
   ~RobotClient();
 
   bool isConnected() const;
-  /// How it stands, for people: "connected", "connecting", or what went wrong.
+  /// State for display: "connected", "connecting", or the problem.
   const std::string& sentence() const;
 
   void subscribe(const std::string& key);
   void unsubscribe(const std::string& key);
   void askForKeys(const std::string& mount);
-  /// `settings`: [{"mp": .., "key": .., "value": ..}]. False: not connected, so nothing was sent.
+  /// `settings`: [{"mp": .., "key": .., "value": ..}]. False if not connected; nothing was sent.
   bool set(const std::string& settings);
   bool save();
-  /// The same settings again whenever it connects anew, before anything else, until a robot ends the connection for
-  /// them: its secret.
+  /// Sends `settings` (the secret) now and first after every reconnect, until the robot closes a connection because of
+  /// them.
   bool authenticate(const std::string& settings);
 
-  /// Ends both connections, so that the robot does what was left with it as a last will, until `resume`.
+  /// Closes both connections until `resume`, so that the robot applies its last will.
   void suspend();
   void resume();
 

@@ -16,9 +16,9 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr std::string_view capturesKey = "Brain.calibrationCaptures";
-constexpr std::size_t theWatch = std::numeric_limits<std::size_t>::max(); // among the viewers
+constexpr std::size_t theWatch = std::numeric_limits<std::size_t>::max(); // viewer id of the live detection
 
-/// What a robot sent as JSON; null where it is none.
+/// Parses a robot's message; null if it is not JSON.
 Json parsed(const std::string& body) {
   try {
     return parseBoundedJson(body);
@@ -27,7 +27,7 @@ Json parsed(const std::string& body) {
   }
 }
 
-/// Does what may fail because a robot sent something else under a key than naocal-robot does.
+/// Runs an action that fails if a robot's values do not have naocal-robot's format; ignores that failure.
 template <typename Action> void whereItFits(const Action& action) {
   try {
     action();
@@ -35,7 +35,7 @@ template <typename Action> void whereItFits(const Action& action) {
   }
 }
 
-/// Throws InputError for what was not sent.
+/// Throws InputError if nothing was sent.
 void requireDone(bool isSent) {
   if (!isSent) {
     throw InputError{"the robot is not connected: nothing was changed; try again when it is back"};
@@ -98,7 +98,7 @@ std::string WatchedRobot::state() const {
 void WatchedRobot::changed() {
   mounts_.forget();
   if (!watchers_.empty()) {
-    taken_.beginWatch(); // what was told while it was away is not known
+    taken_.beginWatch(); // messages during the disconnect are unknown
     wantMounts();
   }
   calls_.all(state());
@@ -120,7 +120,7 @@ void WatchedRobot::listed(const std::string& kind, const std::string& body) {
   }
   const std::string message = jsonText({{"kind", kind}, {"robot", address_}, {"body", told}});
   if (kind != "keys" && latest_[kind] == message) {
-    return; // the robot only said that it is there
+    return; // keep-alive reply without changes
   }
   latest_[kind] = message;
   calls_.all(message);

@@ -26,7 +26,7 @@ namespace naocal {
 
 namespace {
 
-/// One request of a browser: read, and answered, refused or made live; then it ends.
+/// One HTTP request: read, then answered, refused or upgraded to a WebSocket; not kept alive.
 struct HttpExchange {
   explicit HttpExchange(boost::asio::ip::tcp::socket socket) : stream{std::move(socket)} {
     parser.header_limit(16 << 10);
@@ -46,7 +46,7 @@ std::string_view headerOf(const http::request<http::empty_body>& request, beast:
   return {value.data(), value.size()};
 }
 
-/// What the guard must know of a request that was read.
+/// The properties of a request that the guard checks.
 RequestInfo requestInfo(const HttpExchange& exchange) {
   const auto& request = exchange.parser.get();
   const beast::string_view method = request.method_string(), target = request.target();
@@ -61,7 +61,7 @@ RequestInfo requestInfo(const HttpExchange& exchange) {
           visits};
 }
 
-/// Sends the answer and ends the exchange.
+/// Sends the response and closes the connection.
 void sendReply(const std::shared_ptr<HttpExchange>& exchange, HttpReply answer) {
   auto& response = exchange->response;
   response.result(answer.status);
@@ -83,8 +83,8 @@ void sendReply(const std::shared_ptr<HttpExchange>& exchange, HttpReply answer) 
   });
 }
 
-/// One panel's live connection. Never waits for a slow panel: pictures and live values skip it, and one that does not
-/// read what it must have is closed (it connects anew and gets everything).
+/// One panel's WebSocket. Never waits for a slow panel: drops images and live values; closes one that does not read
+/// mandatory messages (it reconnects and gets everything).
 class WebSocketSession : public std::enable_shared_from_this<WebSocketSession> {
 public:
   using Closed = std::function<void()>;
@@ -104,12 +104,12 @@ private:
   Received received_;
   Closed closed_;
   boost::beast::flat_buffer buffer_;
-  std::deque<Message> queue_; // the first is being written
-  std::size_t owed_ = 0;      // [bytes]
+  std::deque<Message> queue_; // the front is being written
+  std::size_t owed_ = 0;      // queued [bytes]
   bool open_ = true;
 };
 
-constexpr std::size_t mostReceived = 1 << 20; // [bytes] of one message from a panel
+constexpr std::size_t mostReceived = 1 << 20; // [bytes] per message from a panel
 constexpr std::size_t mostSkippable = 2 << 20, mostOwed = 256 << 20;
 
 WebSocketSession::WebSocketSession(boost::beast::tcp_stream stream, Received received, Closed closed)
@@ -119,7 +119,7 @@ void WebSocketSession::accept(const boost::beast::http::request<boost::beast::ht
                               std::function<void()> opened) {
   boost::beast::get_lowest_layer(socket_).expires_never();
   socket_.set_option(
-      boost::beast::websocket::stream_base::timeout::suggested(boost::beast::role_type::server)); // pings
+      boost::beast::websocket::stream_base::timeout::suggested(boost::beast::role_type::server)); // enables pings
   socket_.read_message_max(mostReceived);
   socket_.async_accept(request,
                        [self = shared_from_this(), opened = std::move(opened)](boost::beast::error_code error) {
@@ -213,7 +213,7 @@ struct HttpServer::Implementation : std::enable_shared_from_this<Implementation>
       if (error == boost::asio::error::operation_aborted || !self->acceptor.is_open()) {
         return;
       }
-      if (error) { // such as too many open files: others may end meanwhile
+      if (error) { // such as too many open files: retries after 100 ms
         self->pause.expires_after(std::chrono::milliseconds{100});
         self->pause.async_wait([self](beast::error_code stopped) {
           if (!stopped) {
@@ -301,7 +301,7 @@ void HttpServer::send(std::size_t panel, const Message& message) {
 }
 
 void HttpServer::sendAll(const Message& message) {
-  const auto panels = implementation_->panels; // who cannot keep up ends, and leaves the list
+  const auto panels = implementation_->panels; // copy: a panel that ends removes itself
   for (const auto& [number, live] : panels) {
     live->send(message);
   }

@@ -13,37 +13,37 @@ class io_context;
 
 namespace naocal {
 
-/// What a path is answered with.
+/// The response to a request.
 struct HttpReply {
   unsigned status = 200;
   std::string type, body;
 };
 
-/// What goes to a panel over its WebSocket.
+/// A WebSocket message to a panel.
 struct Message {
   std::shared_ptr<const std::string> bytes;
   bool binary = false;
-  bool skippable = false; // newer ones follow: whoever is slow does without
+  bool skippable = false; // newer ones follow: slow clients may miss it
 };
 inline Message makeMessage(std::string bytes, bool binary = false, bool skippable = false) {
   return {std::make_shared<const std::string>(std::move(bytes)), binary, skippable};
 }
 
-/// What the server calls, all on the thread that runs the context. Panels are numbered as they come.
+/// Callbacks of the server, on the context's thread. Panels are numbered in order of connection.
 struct ServerCallbacks {
-  std::function<HttpReply(std::string_view path)> file; // path: behind the token
+  std::function<HttpReply(std::string_view path)> file; // path: the part after the token
   std::function<void(std::size_t panel)> opened, closed;
   std::function<void(std::size_t panel, std::string text)> received;
 };
 
-/// Serves the page and its live connections on 127.0.0.1, to those only whom the guard lets in.
+/// Serves the page and its WebSockets on 127.0.0.1; RequestGuard filters requests.
 class HttpServer {
 public:
-  /// Listens; port 0 takes any that is free. Throws InputError when it cannot.
+  /// Listens; port 0 takes any free one. Throws InputError on failure.
   HttpServer(boost::asio::io_context& context, std::uint16_t port, const std::string& token, ServerCallbacks calls);
   ~HttpServer();
 
-  /// What a person opens.
+  /// URL of the panel.
   std::string address() const;
 
   void send(std::size_t panel, const Message& message);
@@ -54,7 +54,7 @@ private:
   std::shared_ptr<Implementation> implementation_;
 };
 
-/// An address' path with its %20 as letters; what is no such code stays as it is.
+/// Decodes percent-encoding (%20) in a path; invalid codes are kept.
 std::string decodePercents(std::string_view path);
 
 } // namespace naocal

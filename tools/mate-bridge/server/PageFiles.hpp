@@ -5,15 +5,15 @@
 
 namespace naocal {
 
-/// A file of the panel's page, put into the program when it is built (build.cmake).
+/// A file of the panel's page, embedded at build time (build.cmake).
 struct PageFile {
   std::string_view type, content;
 };
 
-/// By name: "index.html", "panel.js", "panel.css", "licences.txt". Absent when there is no such file.
+/// A file by name: "index.html", "panel.js", "panel.css", "licences.txt". Absent if unknown.
 std::optional<PageFile> pageFile(std::string_view name);
 
-/// Why the page is not in this program, in a sentence; empty when it is.
+/// Why the page is not embedded, in a sentence; empty if it is.
 std::string_view pageMissing();
 
 } // namespace naocal

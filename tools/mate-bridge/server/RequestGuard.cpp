@@ -37,7 +37,7 @@ std::optional<Refusal> RequestGuard::check(const RequestInfo& asked) const {
     return Refusal{403, "A live connection must name its origin."};
   }
   const bool isVisit =
-      asked.visits && !asked.live && pathOf(asked.target).empty(); // as of the page that mate-bridge opens
+      asked.visits && !asked.live && pathOf(asked.target).empty(); // of the page that mate-bridge opens
   if (!isVisit && !asked.fetchSite.empty() && asked.fetchSite != "same-origin" && asked.fetchSite != "none") {
     return Refusal{403, "Pages of other sites may not use the panel."};
   }

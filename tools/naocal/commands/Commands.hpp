@@ -6,7 +6,7 @@ class App;
 
 namespace naocal {
 
-/// Each adds one subcommand; its callback does the work and throws InputError for bad usage or input.
+/// Each function adds one subcommand; its callback throws InputError for bad usage or input.
 void addSimulate(CLI::App& app);
 void addDetect(CLI::App& app);
 void addSolve(CLI::App& app, int& exitCode);
@@ -18,7 +18,7 @@ void addPoses(CLI::App& app);
 void addReport(CLI::App& app);
 void addDemo(CLI::App& app, int& exitCode);
 void addEvaluate(CLI::App& app);
-void addEvaluateNext(CLI::App& evaluate); // further ways to evaluate
+void addEvaluateNext(CLI::App& evaluate); // further subcommands of evaluate
 void addEvaluateThesis(CLI::App& evaluate);
 
 } // namespace naocal

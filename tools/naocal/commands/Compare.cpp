@@ -20,9 +20,9 @@ struct CompareCommand {
   bool samePlace = false, skipBad = false;
 };
 
-/// Two results on the same captures, at the noise that the first was found with.
+/// Comparison of two results on the same captures, with the noise estimated by the first.
 struct Versus {
-  double own = 0, other = 0; // px per corner, the joints' random errors allowed for
+  double own = 0, other = 0; // px per corner, weighted with the joints' random errors
   double otherRms = 0;       // [px]
 };
 

@@ -36,7 +36,7 @@ unsigned threads() {
   return std::max(1u, std::thread::hardware_concurrency());
 }
 
-/// A robot that nobody has calibrated takes pictures of four boards. Absent: a person stopped it.
+/// Simulates an uncalibrated robot and renders images of four boards. Absent if interrupted.
 std::optional<Simulation> robotWithPictures(const DemoCommand& command, const Robot& robot, const std::string& folder) {
   SimulationPlan plan;
   plan.images = true;
@@ -51,7 +51,7 @@ std::optional<Simulation> robotWithPictures(const DemoCommand& command, const Ro
   return taken == all ? std::optional{std::move(simulation)} : std::nullopt;
 }
 
-/// Truth against estimate; returns how many true values lie inside their 95 % interval.
+/// Prints truth and estimates; returns how many true values lie inside their 95 % intervals, and the number of values.
 std::pair<std::size_t, std::size_t> printTruth(const Truth& truth, const Model& model,
                                                const CalibrationResult& result) {
   fmt::print("\n  {:<34} {:>12} {:>12} {:>11}\n", "unknown", "truth", "estimate", "± 1 sigma");
@@ -78,7 +78,7 @@ std::pair<std::size_t, std::size_t> printTruth(const Truth& truth, const Model& 
   return {inside, all};
 }
 
-/// Pictures, corners and files of a set; false: a person stopped it.
+/// Renders images, detects corners and writes the set; false if interrupted.
 bool takeCaptures(const DemoCommand& command, const Robot& robot, const std::string& set, Truth& truth) {
   auto simulation = robotWithPictures(command, robot, set);
   if (!simulation) {

@@ -30,7 +30,7 @@ struct DetectCommand {
 
 volatile std::sig_atomic_t interrupted = 0;
 
-/// How often each board was found.
+/// Detections of one board.
 struct BoardCount {
   std::size_t pictures = 0, corners = 0;
 };
@@ -76,13 +76,13 @@ nlohmann::json detectionJson(const CaptureSet& set, const SetDetection& detectio
   return document;
 }
 
-/// Captures about which the same is to be said.
+/// Captures with the same finding.
 struct Remark {
   std::string sentence;
   std::vector<int> captures;
 };
 
-/// A few findings of each kind, those that say the same together; all of them are in the JSON.
+/// Prints a few findings of each kind, identical ones grouped; the JSON has all.
 void printFindings(const SetDetection& detection) {
   constexpr std::size_t shown = 5;
   std::map<IssueKind, std::vector<Remark>> remarks;

@@ -41,7 +41,7 @@ void readModel(DiagnoseCommand& command, const Robot& robot) {
   command.definitions = file.definitions;
 }
 
-/// What to measure next; only what is open where nobody asked for poses.
+/// Proposes the next poses; only the open questions if no poses are needed.
 NextPoses asked(const DiagnoseCommand& command, const Measurements& measurements, const Diagnosis& diagnosis) {
   NextPosesOptions options = command.next;
   options.count = command.json.empty() && command.poses.empty() ? 0 : options.count;
@@ -55,7 +55,7 @@ NextPoses asked(const DiagnoseCommand& command, const Measurements& measurements
   }
 }
 
-/// The curve that no effect of the catalogue explains; nullptr: there is none that an expression follows.
+/// The unexplained curve, if an expression fits it; otherwise nullptr.
 const DriverCurve* beyondTheCatalogue(const Diagnosis& diagnosis) {
   return diagnosis.verdict == Verdict::unknownEffect && !diagnosis.driverCurves.empty() &&
                  !diagnosis.driverCurves.front().coefficients.empty()
@@ -63,7 +63,7 @@ const DriverCurve* beyondTheCatalogue(const Diagnosis& diagnosis) {
              : nullptr;
 }
 
-/// The model as it was asked for, with what was suggested and that curve as an effect of the person's own.
+/// The requested model, extended by the suggested effects and the curve as a custom effect.
 nlohmann::json modelWith(const DriverCurve& curve, const DiagnoseCommand& command, const Diagnosis& diagnosis) {
   std::vector<std::string> with = command.options.with;
   with.insert(with.end(), diagnosis.suggested.begin(), diagnosis.suggested.end());
@@ -75,7 +75,7 @@ nlohmann::json modelWith(const DriverCurve& curve, const DiagnoseCommand& comman
   return modelFileJson(with, command.options.without, std::move(define));
 }
 
-/// Ctrl-C ends it with what it has found so far.
+/// Diagnoses with progress output; Ctrl-C stops with the findings so far.
 Diagnosis withProgress(const Measurements& measurements, DiagnosisOptions options) {
   const Progress progress{"models tested (at most)"};
   const std::size_t most = 2 + measurements.poses.size() / 4;

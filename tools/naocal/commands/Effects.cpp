@@ -40,7 +40,7 @@ const char* places(const Effect& effect) {
   return "stance";
 }
 
-/// What a capture file must hold for a driver, beside angles and corners; null: nothing more.
+/// The capture file's key for a driver, in addition to angles and corners; nullptr if none is needed.
 const char* key(Driver driver) {
   switch (driver) {
   case Driver::torque:

@@ -27,28 +27,28 @@ namespace naocal {
 
 namespace {
 
-/// Which sets of the blind benchmark are to be asked, and how.
+/// Size and contents of the blind benchmark.
 struct BlindPlan {
   std::filesystem::path out;
   std::uint64_t seed = 1;
-  int controls = 4;        // per regime of noise
-  int sets = 1;            // per effect and size, per case otherwise
-  double pictureShare = 0; // of controls and catalogued effects: rendered instead of corners
-  std::string only;        // one group alone; empty: all
-  bool keep = false;       // sets stay after their answers are written
+  int controls = 4;        // per noise regime
+  int sets = 1;            // per effect and size; otherwise per case
+  double pictureShare = 0; // fraction of controls and catalogued effects that is rendered instead of given as corners
+  std::string only;        // a single group; empty: all
+  bool keep = false;       // keeps the sets after answering
 };
 
-/// Asks naocal about robots whose flaws it cannot know. Everything goes through programs and files as a person would
-/// use them: blind-writer, naocal detect, diagnose, solve and compare. Thread-safe.
+/// Runs naocal on robots with unknown flaws. Uses only programs and files, as a user would: blind-writer, naocal
+/// detect, diagnose, solve and compare. Thread-safe.
 class BlindRun {
 public:
-  /// Finds the programs beside this one. Throws InputError where they are missing.
+  /// Finds the programs beside this one. Throws InputError if they are missing.
   explicit BlindRun(BlindPlan plan);
 
-  /// How many sets the plan has.
+  /// Number of sets in the plan.
   std::size_t size() const { return size_; }
   bool isAnswered(std::size_t number) const;
-  /// Writes the set, answers it and writes the answer; nothing remains half done. False where a program was stopped.
+  /// Writes and answers one set; the answer file is written atomically. False if a program was interrupted.
   bool runSet(std::size_t number) const;
 
 private:
@@ -70,7 +70,7 @@ std::string setName(std::size_t number) {
   return fmt::format("s{:06}", number);
 }
 
-/// One question on its way through the programs, in a folder of its own for what lies in between.
+/// Processes one set through the programs; a temporary folder holds intermediate files.
 class Question {
 public:
   Question(files::path naocal, files::path out, std::string name)
@@ -83,7 +83,7 @@ public:
   Question(const Question&) = delete;
   Question& operator=(const Question&) = delete;
 
-  /// What naocal says. Absent: it was stopped.
+  /// naocal's answer; absent if interrupted.
   std::optional<nlohmann::json> answer(bool pictures) const {
     if (pictures) {
       const ProcessResult found = runProcess({naocal_, "detect", set_.string(), "--threads", "1"});
@@ -122,8 +122,8 @@ private:
                           {"locked", nlohmann::json::object()}};
   }
 
-  /// The errors on poses that were never used for choosing, without and with what was suggested. Empty where they
-  /// cannot be found.
+  /// Errors on the locked poses, which were never used for selection, with and without the suggested effects. Empty if
+  /// they cannot be computed.
   nlohmann::json locked() const {
     if (!files::exists(between_ / "before.json") || !files::exists(between_ / "after.json") ||
         runProcess({naocal_, "compare", between_ / "after.json", locked_, "--against", between_ / "before.json",
@@ -139,7 +139,7 @@ private:
             {"weightedAfterPx", compared.at("weightedPx")}};
   }
 
-  /// How solve adds what a diagnosis suggests: by a model file where that defines effects of its own.
+  /// Options of solve that add the suggested effects: a model file if the diagnosis defines custom effects.
   std::vector<std::string> adding(const std::vector<std::string>& suggested, const nlohmann::json& diagnosis) const {
     const nlohmann::json define = diagnosis.value("define", nlohmann::json::array());
     if (define.empty()) {
@@ -149,7 +149,7 @@ private:
     return {"--model", between_ / "model.json"};
   }
 
-  /// What RESULT.json says of the calibration itself; null where there is none.
+  /// The calibration's summary from RESULT.json; null if there is none.
   nlohmann::json solved(const std::vector<std::string>& options, const char* file) const {
     std::vector<std::string> solve{naocal_, "solve", set_.string(), "-o", between_ / file};
     solve.insert(solve.end(), options.begin(), options.end());
@@ -243,7 +243,7 @@ bool BlindRun::runSet(std::size_t number) const {
   return true;
 }
 
-/// Lets blind-judge open a folder's truths and prints what it says. `json`, `page`: files to write, or nothing.
+/// Runs blind-judge on a folder and prints its output. `json`, `page`: files to write; empty: none.
 void runJudge(const files::path& folder, const std::string& json, const std::string& page) {
   std::vector<std::string> command{besideThisProgram("blind-judge"), folder};
   if (!json.empty()) {
@@ -267,7 +267,7 @@ struct EvaluateCommand {
   std::vector<std::string> shards;
 };
 
-/// Asks all sets that have no answer yet, several at a time.
+/// Answers all sets without an answer, `jobs` at a time.
 void askAll(const BlindRun& run, const std::vector<std::size_t>& numbers, unsigned jobs) {
   const Progress progress{"sets answered"};
   std::atomic<std::size_t> next = 0, done = 0;
@@ -304,7 +304,7 @@ void askAll(const BlindRun& run, const std::vector<std::size_t>& numbers, unsign
 }
 
 void evaluateEffects(EvaluateCommand command) {
-  if (command.full) { // what the figures are promised for
+  if (command.full) { // sizes of the published table
     command.plan.controls = 1000;
     command.plan.sets = 40;
     command.plan.pictureShare = 0.2;
@@ -323,8 +323,8 @@ void evaluateEffects(EvaluateCommand command) {
   runJudge(command.out, command.json, command.page);
 }
 
-/// Brings seals, truths and answers of all shards into one folder and judges them; files are of the thesis's
-/// evaluation.
+/// Merges manifests, truths and answers of all shards into one folder and judges them; if the shards are files, merges
+/// thesis evaluations.
 void mergeShards(const EvaluateCommand& command) {
   namespace files = std::filesystem;
   if (files::is_regular_file(command.shards.front())) {

@@ -27,7 +27,7 @@ struct NextCommand {
   NextPosesTrialOptions options;
 };
 
-/// One trial per robot, several at a time; after Ctrl-C those that are done.
+/// Runs one trial per robot, several at a time; after Ctrl-C returns the finished ones.
 std::vector<NextPosesTrial> trials(const NextCommand& command) {
   const Robot robot = loadRobot(configurationDirectory(), "V6");
   const Progress progress{"robots"};
@@ -66,10 +66,10 @@ std::vector<NextPosesTrial> trials(const NextCommand& command) {
   return result;
 }
 
-/// What one way of choosing poses came to, over the robots whose first captures left something open.
+/// Result of one selection strategy, over the robots with open questions after the first captures.
 struct Summary {
   std::size_t certain = 0, right = 0;
-  std::optional<std::size_t> median; // absent: half of the robots or more were never certain
+  std::optional<std::size_t> median; // absent: at least half of the robots never became certain
 };
 
 Summary summary(const std::vector<NextPosesTrial>& open, TrialArm NextPosesTrial::*arm) {

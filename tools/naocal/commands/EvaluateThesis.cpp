@@ -24,17 +24,17 @@ namespace naocal {
 
 namespace {
 
-/// What one worker finds, per solver.
+/// One worker's results, per solver.
 using Tallies = std::map<ThesisSolver, ThesisTally>;
 
-/// Error sets of one setting on all cores.
+/// Evaluates the error sets of one setting on several threads.
 class SettingRun {
 public:
   SettingRun(const ThesisExperiment& stage, const ThesisSetting& setting, const std::vector<ThesisSolver>& solvers,
              const ThesisEvaluation& evaluation)
       : stage_{stage}, setting_{setting}, solvers_{solvers}, evaluation_{evaluation} {}
 
-  /// `told(count)` hears of sets that are done and says whether to go on. Absent: it said no.
+  /// Calls `told(count)` for finished sets; stops if it returns false. Absent if stopped.
   template <typename Told> std::optional<Tallies> tallies(unsigned jobs, Told told) {
     std::vector<std::thread> workers;
     for (unsigned job = 0; job < jobs; ++job) {
@@ -97,8 +97,8 @@ private:
   Tallies sum_;
 };
 
-/// Runs all settings of the tables that the evaluation does not hold yet, for the sets of its part, on several threads;
-/// calls `keep` after each. Shows progress; stops early on Ctrl-C, with whole settings only.
+/// Runs all settings that the evaluation lacks, for the sets of its part, on several threads; calls `keep` after each
+/// setting. Shows progress; Ctrl-C stops it and discards the unfinished setting.
 void runThesis(ThesisEvaluation& evaluation, unsigned jobs, const std::function<void()>& keep) {
   const Robot robot = loadRobot(configurationDirectory(), "V6");
   auto settings = thesisSettings();
@@ -129,7 +129,7 @@ void runThesis(ThesisEvaluation& evaluation, unsigned jobs, const std::function<
     }
     const ThesisExperiment stage{robot, setting, posesForSetting(setting, robot, nested)};
     if (const auto names = stage.jointNames(); names.size() > evaluation.joints.size()) {
-      evaluation.joints = names; // those of one leg come first
+      evaluation.joints = names; // joints of one leg come first
     }
     const auto tallies = SettingRun{stage, setting, solvers, evaluation}.tallies(jobs, told);
     if (!tallies) {
@@ -150,7 +150,7 @@ struct ThesisCommand {
   bool resume = false;
 };
 
-/// Takes over what an interrupted run of the same evaluation kept.
+/// Loads the results of an interrupted run of the same evaluation.
 void resume(ThesisEvaluation& evaluation, const std::string& json) {
   if (json.empty() || json == "-") {
     throw InputError{"--resume: expected --json with the file to go on with, found none"};

@@ -5,8 +5,8 @@
 
 namespace naocal {
 
-/// Puts the parts of a thesis's evaluation together, writes them to `json` (empty: nowhere, "-": standard output only)
-/// and prints their tables.
+/// Merges parts of a thesis evaluation, writes the result to `json` (empty: no file, "-": standard output only) and
+/// prints its tables.
 void mergeThesis(const std::vector<std::string>& files, const std::string& json);
 
 } // namespace naocal

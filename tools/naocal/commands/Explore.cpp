@@ -24,24 +24,23 @@ namespace naocal {
 
 namespace {
 
-/// The loop of a person with a set: add, drop, look, undo. Every model that was tried is kept, and written to the
-/// session's file, from which the same loop goes on another day.
+/// Interactive exploration of a set: add, drop, inspect, undo. Keeps every model revision and writes them to the
+/// session file, from which a later run continues.
 class ExploreLoop {
 public:
-  /// `first`: the model to begin with; of a session that goes on, only its own effects are new. `file`: the session's;
-  /// may be empty.
+  /// `first`: initial model; a continued session takes only its custom effects. `file`: session file; may be empty.
   ExploreLoop(const LoadedSets& given, ModelRevision first, std::string file);
 
   void add(const std::string& label);
   void drop(const std::string& label);
-  /// Back to the model that this one was made from.
+  /// Returns to the revision that the current model was derived from.
   void undo();
 
   void printLadder() const;
   void printCandidates() const;
 
 private:
-  /// Puts a model to the question. Throws InputError where no fit can start.
+  /// Tests the candidates of a model. Throws InputError if no fit is possible.
   ModelRevision questioned(ModelRevision rung);
   std::vector<Effect> effects(const ModelRevision& rung) const;
   std::vector<std::string> terms() const;
@@ -57,7 +56,7 @@ private:
 
 using Json = nlohmann::json;
 
-/// These definitions, and the others whose names they have not.
+/// Merges two lists of definitions; `definitions` takes precedence for equal names.
 std::string joined(const std::string& definitions, const std::string& others) {
   Json all = Json::parse(definitions);
   const Json further = Json::parse(others);
@@ -80,7 +79,7 @@ ExploreLoop::ExploreLoop(const LoadedSets& given, ModelRevision first, std::stri
     session_ = readSession(file_);
     requireSameCaptures(session_, given_.inputs, file_);
     for (ModelRevision& rung : session_.ladder) {
-      parseEffects(Json::parse(rung.definitions), file_, given_.robot); // refuses what is none
+      parseEffects(Json::parse(rung.definitions), file_, given_.robot); // throws for invalid definitions
       rung.definitions = joined(rung.definitions, first.definitions);
     }
     session_.current() = questioned(session_.current());
@@ -109,13 +108,13 @@ ModelRevision ExploreLoop::questioned(ModelRevision rung) {
   return rung;
 }
 
-/// The labels of the current model's terms.
+/// Labels of the current model's terms.
 std::vector<std::string> ExploreLoop::terms() const {
   const ModelRevision& rung = session_.current();
   return termLabels(buildModel(measurements_, rung.with, rung.without, effects(rung)));
 }
 
-/// Goes on with this session once its current model was fitted; whatever is thrown before leaves everything as it was.
+/// Fits the session's current model, then makes the session current; strong exception guarantee.
 void ExploreLoop::enter(Session session) {
   session.current() = questioned(session.current());
   session_ = std::move(session);
@@ -171,7 +170,7 @@ void printHelp() {
              "  quit\n");
 }
 
-/// One line of what a person typed; false: leave.
+/// Executes one input line; false to quit.
 bool obey(ExploreLoop& exploration, const std::string& line) {
   std::istringstream words{line};
   std::string verb, label;

@@ -24,20 +24,20 @@ namespace naocal {
 
 namespace {
 
-/// What `naocal poses` plans for.
+/// Boards and cameras to plan for.
 struct PlanInputs {
-  std::vector<Board> boards; // placements seen from the sole
+  std::vector<Board> boards; // placements relative to the sole
   std::map<std::string, CameraIntrinsics> cameras;
 };
 
-/// Four A2 boards around the robot.
+/// Four A2 boards around the robot, nominal cameras.
 PlanInputs defaultPlanInputs() {
   const SimulationPlan usual;
   return {usual.boards, usual.cameras};
 }
 
-/// Boards and cameras of a capture set; placements that are only guessed are where planning begins. Throws InputError
-/// where none lies on the floor.
+/// Boards and cameras of a capture set; guessed placements serve as starting values. Throws InputError if no board lies
+/// on the floor.
 PlanInputs readPlanInputs(const std::string& captureSet) {
   const CaptureSet set = readCaptureSet(captureSet, BadCapturePolicy::skip).set;
   PlanInputs result{{}, set.cameras};
@@ -53,8 +53,8 @@ PlanInputs readPlanInputs(const std::string& captureSet) {
   return result;
 }
 
-/// Has the poses of an earlier plan stay, and the `boards` where it has them. Throws InputError where these are not
-/// its own, or its poses are on another foot.
+/// Keeps the poses and board placements of an earlier plan. Throws InputError if the boards differ, or its poses are on
+/// another foot.
 void extendPlan(const std::string& earlier, const Robot& robot, std::vector<Board>& boards, PlanOptions& plan) {
   const PoseFile file = readPoseFile(earlier, robot);
   for (const PlayablePose& pose : file.poses) {
@@ -77,7 +77,7 @@ void extendPlan(const std::string& earlier, const Robot& robot, std::vector<Boar
   plan.moveBoards = false;
 }
 
-/// Of NAME=NUMBER, a joint or camera of the robot. Throws InputError for anything else.
+/// Parses NAME=NUMBER, NAME being a joint or camera of the robot. Throws InputError for anything else.
 std::map<std::string, double> readWeights(const std::vector<std::string>& texts, const Robot& robot) {
   std::map<std::string, double> result;
   for (const std::string& text : texts) {

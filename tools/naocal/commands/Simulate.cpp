@@ -25,10 +25,10 @@ namespace naocal {
 
 namespace {
 
-/// What `naocal simulate` is told. Angles in degrees and shifts in millimetres, as people give them.
+/// Options of `naocal simulate`, in degrees and millimetres.
 struct SimulateOptions {
   std::string output, robot = "V6", support = "left", repeatKind = "rest", size = "640x480", json;
-  std::string poses = "24"; // how many, or a pose file
+  std::string poses = "24"; // number of poses, or a pose file
   std::uint64_t seed = 1;
   double offsetDegrees = 6.5, mountDegrees = 2, mountMillimetres = 0, poseDegrees = 0, approachDegrees = 0;
   bool displacedBoard = false, samePlace = false, force = false;
@@ -51,7 +51,7 @@ std::map<std::string, CameraIntrinsics> cameras(const std::string& size) {
   return nominalCameras(width, height);
 }
 
-/// As many as asked for, or those of a file.
+/// Adds poses: the requested number, or those of a file.
 void addPoses(const SimulateOptions& options, const Robot& robot, SimulationPlan& plan) {
   constexpr std::size_t most = 1000;
   std::size_t count = 0;
@@ -156,8 +156,8 @@ void addOptions(CLI::App& simulator, SimulateOptions& options) {
   addPictures(simulator, options);
 }
 
-/// The plan that the options describe, with its poses. Throws InputError for what is no size, and no number of poses
-/// nor a pose file.
+/// The simulation plan for the options, with its poses. Throws InputError for an invalid image size, number of poses or
+/// pose file.
 SimulationPlan makePlan(const SimulateOptions& options, const Robot& robot) {
   SimulationPlan plan = options.plan;
   if (options.samePlace) {
@@ -175,7 +175,7 @@ SimulationPlan makePlan(const SimulateOptions& options, const Robot& robot) {
   return plan;
 }
 
-/// Only an empty folder is written into unasked; with --force a set is replaced, but nothing else is.
+/// Throws InputError unless the folder is absent, empty, or holds a set and `force` is given.
 void refuseWhatIsThere(const std::filesystem::path& folder, bool force) {
   if (folder.empty()) {
     throw InputError{"OUT: expected the name of a folder, found nothing"};
@@ -202,7 +202,7 @@ void refuseWhatIsThere(const std::filesystem::path& folder, bool force) {
   }
 }
 
-/// The pictures inside a set's folder that its captures name; none where the set cannot be read.
+/// Image files inside a set's folder that its captures name; empty if the set cannot be read.
 std::set<std::filesystem::path> picturesIn(const std::filesystem::path& folder) {
   std::set<std::filesystem::path> pictures;
   try {
@@ -212,23 +212,23 @@ std::set<std::filesystem::path> picturesIn(const std::filesystem::path& folder) 
         pictures.insert(folder / picture);
       }
     }
-  } catch (const InputError&) { // there is no set, or a broken one
+  } catch (const InputError&) { // no set, or a broken one
   }
   return pictures;
 }
 
-/// Else the pictures of the set that was replaced would lie among the others and belong to nothing.
+/// Removes images of a replaced set that the new set does not use.
 void removePictures(const std::set<std::filesystem::path>& before, const std::filesystem::path& folder) {
   const auto now = picturesIn(folder);
   for (const auto& picture : before) {
     if (!now.contains(picture)) {
-      std::error_code ignored; // it may be gone
+      std::error_code ignored; // may not exist
       std::filesystem::remove(picture, ignored);
     }
   }
 }
 
-/// Takes the pictures; after Ctrl-C the set keeps the captures whose picture was taken.
+/// Renders the images; after Ctrl-C the set keeps the captures with an image.
 void takePictures(const SimulateOptions& options, Simulation& simulation) {
   const Progress progress{"pictures"};
   const std::size_t all = simulation.set.captures.size();

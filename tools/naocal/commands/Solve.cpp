@@ -24,7 +24,7 @@ struct SolveCommand {
   CalibrationOptions options;
 };
 
-/// The model that options and model file ask for together.
+/// The model from the options and the model file.
 Model askedModel(const SolveCommand& command, const Measurements& measurements) {
   if (command.model.empty()) {
     return buildModel(measurements, command.with, command.without);

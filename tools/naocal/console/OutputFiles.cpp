@@ -14,9 +14,9 @@ namespace naocal {
 
 namespace {
 
-/// What a file holds: the format that it names, or words for what it is.
+/// The format of a file's content, or a description of it.
 std::string kindOf(const std::string& content) {
-  const std::string mark = "<script type=\"application/json\" id=\"data\">"; // of every report's page
+  const std::string mark = "<script type=\"application/json\" id=\"data\">"; // in every report page
   if (content.starts_with("<!doctype html>")) {
     return content.find(mark) != std::string::npos ? std::string{pageFormat} : "another page";
   }

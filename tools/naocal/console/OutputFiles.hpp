@@ -11,23 +11,24 @@ class Validator;
 
 namespace naocal {
 
-/// What a page of a report counts as, where others are JSON files by their key `format`.
+/// Format name of report pages; JSON files have the key `format`.
 inline constexpr std::string_view pageFormat = "naocal's report page";
 
-/// Throws InputError for a file that holds something else than the given format, which a command would destroy by
-/// writing there. What does not exist, is empty, or has no content of its own (a pipe, a device) may be written to.
+/// Throws InputError if a file holds another format, so that no command overwrites it. Files that do not exist, are
+/// empty, or are not regular (pipes, devices) are accepted.
 void requireSameKind(const std::filesystem::path& file, std::string_view format);
 
-/// The same for an option that names a file to write (- is standard output): before a long computation, not after it.
+/// The same check for a command-line option that names an output file (- is standard output), before a long
+/// computation.
 CLI::Validator replaceableFile(std::string format);
 
-/// Only a set that was simulated, or none, may be written over unasked; throws InputError.
+/// Throws InputError if the folder holds a set that was not simulated.
 void requireReplaceableSet(const std::filesystem::path& folder);
 
-/// Writes JSON to a file, or to standard output for "-". Throws InputError for a file that holds another format.
+/// Writes JSON to a file, or to standard output for "-". Throws InputError if the file holds another format.
 void writeJson(const nlohmann::json& json, const std::string& file);
 
-/// Writes a page where there is none, or over another one.
+/// Writes a report page. Throws InputError if the file holds another format.
 void writePage(const std::filesystem::path& file, const std::string& page);
 
 } // namespace naocal

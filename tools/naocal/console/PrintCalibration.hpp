@@ -6,7 +6,7 @@
 
 namespace naocal {
 
-/// Tells a calibration to a person: fit, noise, estimates with error bars, what is weak or doubtful, whether to use it.
+/// Prints a calibration: fit, noise, estimates with error bars, weak directions, doubtful captures, verdict.
 void printCalibration(const FittedModel& fitted);
 
 } // namespace naocal

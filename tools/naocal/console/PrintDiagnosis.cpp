@@ -100,7 +100,7 @@ void printCandidates(const Diagnosis& diagnosis) {
 
 void printDiagnosis(const Diagnosis& diagnosis, const GivenOptions& asked) {
   fmt::print("{}: {}\n", toString(diagnosis.verdict), diagnosis.sentence);
-  if (!diagnosis.steps.empty()) { // else no fit was possible
+  if (!diagnosis.steps.empty()) { // otherwise no fit was possible
     printLadder(diagnosis);
     printCandidates(diagnosis);
     printCurves(diagnosis);

@@ -8,18 +8,18 @@
 
 namespace naocal {
 
-/// Tells a diagnosis to a person: verdict, ladder, candidates with bars, curves, and the command that adds the first.
+/// Prints a diagnosis: verdict, model revisions, candidates with bars, curves, and the command that adds the
+/// suggestion.
 void printDiagnosis(const Diagnosis& diagnosis, const GivenOptions& asked);
 
-/// What to do with a curve beyond the catalogue: have it written as an effect of one's own, or go on with the model
-/// file `file` that holds it. `isThere`: there is one that an expression follows.
+/// Prints how to use an unexplained curve: how to write it as a custom effect, or how to continue with the model file
+/// `file` that holds it. `isThere`: an expression fits the curve.
 void printOwnEffectHint(bool isThere, const Diagnosis& diagnosis, const GivenOptions& asked, const std::string& file);
 
-/// Its candidates alone.
+/// Prints the candidates only.
 void printCandidates(const Diagnosis& diagnosis);
 
-/// Tells what a diagnosis leaves open and the command that proposes poses; or, where they were written to `file`, what
-/// they are worth.
+/// Prints the open questions and the command that proposes poses, or, if poses were written to `file`, their benefit.
 void printNextPoses(const NextPoses& next, GivenOptions asked, const std::string& file);
 
 } // namespace naocal

@@ -43,9 +43,9 @@ void printMisfit(const PosePlan& plan) {
   }
 }
 
-/// The floor from above, the robot looks up: a character is 6 cm wide and 12 cm high.
+/// Prints the floor from above, robot facing up; a character is 6 cm wide and 12 cm high.
 void printFloor(const PosePlan& plan) {
-  constexpr int rows = 14, columns = 45, ahead = 11; // rows before the robot
+  constexpr int rows = 14, columns = 45, ahead = 11; // rows in front of the robot
   std::vector<std::string> floor(rows, std::string(columns, '.'));
   for (int row = 0; row < rows; ++row) {
     for (int column = 0; column < columns; ++column) {
@@ -98,7 +98,7 @@ void printWay(const PosePlan& plan) {
   fmt::print("\n");
 }
 
-/// What each criterion selects among the same candidates, boards as they were given.
+/// Prints the selection of each criterion among the same candidates, boards where they were given.
 void printComparison(const PosePlan& plan) {
   if (plan.comparison.empty()) {
     return;

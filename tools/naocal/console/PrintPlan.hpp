@@ -4,8 +4,7 @@
 
 namespace naocal {
 
-/// Prints how many candidates there were, how well the poses tell the offsets, where the boards go and the way from
-/// pose to pose.
+/// Prints candidate counts, standard errors of the offsets, board placements and transitions between poses.
 void printPlan(const PosePlan& plan);
 
 } // namespace naocal

@@ -11,9 +11,9 @@ namespace naocal {
 
 namespace {
 
-constexpr double withinPoints = 0.02; // of the limit
+constexpr double withinPoints = 0.02; // tolerance to the limit [1]
 
-/// Success of ours, of the thesis's solver here, its limit, and the thesis's own figure [%].
+/// Success rates [%]: ours, the thesis's solver run here, the limit, and the published figure.
 std::string figures(const ThesisEvaluation& evaluation, const ThesisCell& cell, std::size_t tolerance) {
   const ThesisTally* ours = evaluation.tally(cell.setting, ThesisSolver::ours);
   const ThesisTally* theirs = evaluation.tally(cell.setting, cell.solver);
@@ -54,7 +54,7 @@ std::string trimmed(const std::string& line) {
   return line.substr(0, line.find_last_not_of(' ') + 1);
 }
 
-/// One table: a row per noise, four figures per number of poses.
+/// Prints one table: a row per noise, four figures per number of poses.
 void printTable(const ThesisEvaluation& evaluation, const std::string& table, std::size_t tolerance) {
   std::vector<std::string> rows;
   std::map<std::string, std::map<std::size_t, std::string>> cells;
@@ -84,7 +84,7 @@ void printTable(const ThesisEvaluation& evaluation, const std::string& table, st
   }
 }
 
-/// What other solvers make of table 5.5's sets, where they were tried.
+/// Prints other solvers' results on the sets of table 5.5, if evaluated.
 void printOthers(const ThesisEvaluation& evaluation, std::size_t tolerance) {
   const auto perSolve = [](const ThesisTally& tally) { return 1e3 * tally.seconds / static_cast<double>(tally.sets); };
   for (const auto& [setting, solvers] : thesisSettings()) {
@@ -101,11 +101,11 @@ void printOthers(const ThesisEvaluation& evaluation, std::size_t tolerance) {
   }
 }
 
-/// How ours fares against plain Levenberg-Marquardt on the same sets, and against the limit.
+/// Comparison of our solver with plain Levenberg-Marquardt on the same sets, and with the limit.
 struct Standing {
   std::size_t settings = 0, atLeastPlain = 0, nearLimit = 0, noiseless = 0, perfect = 0;
   double behindPlain = 0, aboveLimit = 1; // worst [1]
-  std::string worst;                      // where farthest below the limit
+  std::string worst;                      // setting farthest below the limit
   std::size_t leastSets = std::numeric_limits<std::size_t>::max();
 };
 
@@ -140,7 +140,8 @@ void printSummary(const ThesisEvaluation& evaluation, std::size_t tolerance) {
   if (all.settings == 0) {
     return;
   }
-  const double uncertainty = 50 / std::sqrt(static_cast<double>(all.leastSets)); // points, of a share of one half
+  // [percentage points], 1 sigma for a share of 0.5
+  const double uncertainty = 50 / std::sqrt(static_cast<double>(all.leastSets));
   fmt::print(
       "\nOf {} settings ours succeeds at least as often as plain Levenberg-Marquardt on the same sets in {}{}; in {} "
       "it is at most {:.0f} points below the Cramer-Rao limit (worst: {:+.1f} points, {}; shares are uncertain by up "

@@ -4,7 +4,7 @@
 
 namespace naocal {
 
-/// Prints the thesis's tables with ours beside them, at the tolerance nearest to `degrees`, and what they come to.
+/// Prints the thesis's tables with our results beside them, at the tolerance nearest to `degrees`, and a summary.
 void printThesisTables(const ThesisEvaluation& evaluation, double degrees);
 
 } // namespace naocal

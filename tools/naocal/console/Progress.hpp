@@ -5,8 +5,8 @@
 
 namespace naocal {
 
-/// Progress of long work on a terminal's standard error (never into a pipe), and a clean stop on Ctrl-C: while one
-/// lives, Ctrl-C only makes it answer false.
+/// Progress output on standard error (terminals only), and a clean stop: while an instance exists, Ctrl-C only makes it
+/// return false.
 class Progress {
 public:
   explicit Progress(std::string what); // "pictures"
@@ -14,7 +14,7 @@ public:
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// `done` of `all` are done; false: a person wants to stop.
+  /// Prints `done` of `all`; false after Ctrl-C.
   bool operator()(std::size_t done, std::size_t all) const;
   static bool wasInterrupted();
 

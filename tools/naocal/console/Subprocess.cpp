@@ -17,7 +17,7 @@ namespace naocal {
 
 namespace {
 
-/// A file without a name that a program writes into and we read afterwards: no pipe that could fill up.
+/// Captures a program's output in an unnamed temporary file; unlike a pipe it cannot fill up.
 class Output {
 public:
   Output() : file_{std::tmpfile()} {
@@ -49,7 +49,7 @@ private:
 ProcessResult runProcess(const std::vector<std::string>& command) {
   std::vector<char*> words;
   for (const std::string& word : command) {
-    words.push_back(const_cast<char*>(word.c_str())); // posix_spawn's type; it changes nothing
+    words.push_back(const_cast<char*>(word.c_str())); // posix_spawn's type; it does not modify the strings
   }
   words.push_back(nullptr);
   const Output printed, said;

@@ -5,15 +5,15 @@
 
 namespace naocal {
 
-/// A program that has ended.
+/// Result of a finished program.
 struct ProcessResult {
   int exitCode = -1;
-  bool stopped = false; // from outside, such as by Ctrl-C; a crash is an exit code of -1 and a sentence in `said`
-  std::string printed;  // on standard output
-  std::string said;     // on standard error
+  bool stopped = false; // terminated by SIGINT, SIGTERM or SIGKILL; a crash gives exitCode -1 and a sentence in `said`
+  std::string printed;  // standard output
+  std::string said;     // standard error
 };
 
-/// Runs a program to its end; the first word is its path. Throws InputError when it cannot be started.
+/// Runs a program and waits for its end; the first word is its path. Throws InputError if it cannot be started.
 ProcessResult runProcess(const std::vector<std::string>& command);
 
 } // namespace naocal

@@ -1,6 +1,6 @@
 #pragma once
 
-/* What NAOqi's memory calls the robot's devices. Source: Aldebaran, NAO H25 actuator & sensor list, NAOqi 2.1. */
+/* Keys of the robot's devices in NAOqi's memory. Source: Aldebaran, NAO H25 actuator & sensor list, NAOqi 2.1. */
 
 #include <string>
 #include <vector>
@@ -12,13 +12,13 @@ typedef std::vector<std::string> Keys;
 static const char* const deviceNames[] = {
     "HeadYaw",       "HeadPitch",  "LShoulderPitch", "LShoulderRoll", "LElbowYaw",  "LElbowRoll",
     "LWristYaw",     "LHand",      "LHipYawPitch",   "LHipRoll",      "LHipPitch",  "LKneePitch",
-    "LAnklePitch",   "LAnkleRoll", "LHipYawPitch", /* the right one has no device */
+    "LAnklePitch",   "LAnkleRoll", "LHipYawPitch", /* the right one has no device of its own */
     "RHipRoll",      "RHipPitch",  "RKneePitch",     "RAnklePitch",   "RAnkleRoll", "RShoulderPitch",
     "RShoulderRoll", "RElbowYaw",  "RElbowRoll",     "RWristYaw",     "RHand"};
 
 static const size_t rightHipYawPitch = 14; /* not commanded */
 
-/* prefix + each of the blank-separated names + suffix. */
+/* prefix + name + suffix for each name; names are separated by blanks. */
 inline Keys keys(const std::string& prefix, const std::string& names, const std::string& suffix) {
   Keys result;
   for (size_t begin = 0; begin < names.size();) {
@@ -44,7 +44,7 @@ inline Keys jointKeys(const std::string& suffix, bool commanded) {
   return result;
 }
 
-/* In the order of shared::State behind its time. */
+/* In the order of the members of shared::State after the time. */
 inline Keys sensorKeys() {
   const std::string device = "Device/SubDeviceList/", value = "/Sensor/Value";
   Keys result = jointKeys("/Position/Sensor/Value", false);
@@ -68,7 +68,7 @@ inline Keys sensorKeys() {
   return result;
 }
 
-/* In the order of shared::Command's lights. */
+/* In the order of the LEDs in shared::Command. */
 inline Keys lightKeys() {
   const std::string device = "Device/SubDeviceList/", value = "/Actuator/Value", colours = "Red Green Blue";
   Keys result = keys(device + "ChestBoard/Led/", colours, value);

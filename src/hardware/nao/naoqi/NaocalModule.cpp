@@ -14,7 +14,7 @@
 namespace naocal {
 namespace {
 
-/* Angles and stiffness without the right hip yaw-pitch, which has no motor. */
+/* Removes the right hip yaw-pitch, which has no motor of its own. */
 void withoutRightHip(const float* all, float* commanded) {
   for (size_t joint = 0, next = 0; joint < shared::jointCount; ++joint) {
     if (joint != rightHipYawPitch) {
@@ -50,7 +50,7 @@ void NaocalModule::init() {
   dcm->getModule()->atPostProcess(boost::bind(&NaocalModule::measured, this));
 }
 
-/* A block of an earlier NAOqi is used again: naocal may have it mapped. Its magic number is written last. */
+/* Reuses the block of an earlier NAOqi, which naocal may have mapped. Writes the magic number last. */
 void NaocalModule::makeBlock() {
   const int file = shm_open(shared::blockName, O_RDWR | O_CREAT, 0600);
   void* memory = MAP_FAILED;
@@ -83,7 +83,7 @@ void NaocalModule::measured() {
   state.secondsLow = uint32_t(now.tv_sec);
   state.secondsHigh = uint32_t(uint64_t(now.tv_sec) >> 32);
   state.nanoseconds = uint32_t(now.tv_nsec);
-  float* values = state.angles; /* and all that follows */
+  float* values = state.angles; /* and the following members */
   for (size_t i = 0; i < sensors_.size(); ++i) {
     values[i] = *sensors_[i];
   }
@@ -91,7 +91,7 @@ void NaocalModule::measured() {
   shared::wake(block_->stateCount);
 }
 
-/* Nothing is sent while naocal commands nothing: motors keep their last target. */
+/* Sends nothing without a new command: motors keep their last target. */
 void NaocalModule::command() {
   shared::Command command;
   const uint32_t number = shared::newest(block_->commands, block_->commandCount, command);

@@ -12,7 +12,7 @@
 
 namespace naocal {
 
-/* NAOqi loads it; the DCM calls it before and after every exchange with the motor boards (10 ms). It never waits. */
+/* NAOqi module; the DCM calls it before and after every exchange with the motor boards (10 ms). It never blocks. */
 class NaocalModule : public AL::ALModule {
 public:
   NaocalModule(boost::shared_ptr<AL::ALBroker> broker, const std::string& name);
@@ -31,7 +31,7 @@ private:
   AL::DCMProxy dcm_;
   shared::Block* block_;
   std::vector<const float*> sensors_;
-  uint32_t commanded_; /* number of the last command that went to the DCM */
+  uint32_t commanded_; /* number of the last command sent to the DCM */
 };
 
 } // namespace naocal

@@ -1,12 +1,12 @@
 #pragma once
 
-/* What NAOqi's side and naocal's side of a V5 share: a block of POSIX shared memory. Plain C++98 with the compiler's
- * atomics (GCC 4.7 and later), because NAOqi 2.1 modules are built with GCC 4.8; the same layout for 32 and 64 bits.
+/* Block of POSIX shared memory between NAOqi and naocal on a V5. Plain C++98 with the compiler's atomics (GCC 4.7 and
+ * later), because NAOqi 2.1 modules are built with GCC 4.8; same layout for 32 and 64 bits.
  *
- * No locks: a naocal that is stopped or killed at any moment must not hold up the robot's own control loop. Each
- * direction is a ring of messages and a count of those written. The writer fills the place of the next message and
- * then counts it; a reader copies the newest and looks at the count again: if the writer has come around meanwhile, the
- * copy is worthless and is taken anew. The count of states is a futex that the robot's side wakes. */
+ * Lock-free: a naocal stopped or killed at any moment must not block the robot's control loop. Each direction is a ring
+ * buffer of messages and a count of those written. The writer fills the next slot, then increments the count. A reader
+ * copies the newest message and reads the count again; if the writer has reached the slot meanwhile, it copies again.
+ * The count of states is a futex that the robot's side wakes. */
 
 #include <linux/futex.h>
 #include <stddef.h>
@@ -23,7 +23,7 @@ static const uint32_t blockMagic = 0x6c61436e; /* "nCal" */
 static const uint32_t blockVersion = 1;
 enum { jointCount = 26, ringSize = 8, idLength = 32 };
 
-/* Lists by joint in HULKs' order (hardware/Joints.hpp), units as there. */
+/* Lists by joint in HULKs' order (protocol/JointOrder.hpp); units as in hardware/RobotInterface.hpp. */
 struct State {
   uint32_t secondsLow, secondsHigh, nanoseconds; /* CLOCK_MONOTONIC */
   float angles[jointCount];
@@ -38,10 +38,10 @@ struct State {
   float battery[4]; /* charge, status, current, temperature */
 };
 
-/* Lights as in hardware/RobotInterface.hpp; coloured ones red, green, blue each. */
+/* LEDs as in hardware/RobotInterface.hpp; colours as red, green, blue. */
 struct Command {
   float angles[jointCount];
-  float stiffness[jointCount]; /* 0 or less: off */
+  float stiffness[jointCount]; /* 0 or less: motor off */
   float chest[3], leftFoot[3], rightFoot[3];
   float leftEye[8][3], rightEye[8][3];
   float leftEar[10], rightEar[10], skull[12];
@@ -56,7 +56,7 @@ struct Block {
   Command commands[ringSize];
 };
 
-/* Copies what other threads may be writing or reading: word by word, so that every word is an old or a new one. */
+/* Copies data shared with other threads; word-wise atomic: each word is either old or new. */
 inline void copyWords(void* to, const void* from, size_t size) {
   for (size_t i = 0; i < size / 4; ++i) {
     const uint32_t word = __atomic_load_n(static_cast<const uint32_t*>(from) + i, __ATOMIC_RELAXED);
@@ -64,7 +64,7 @@ inline void copyWords(void* to, const void* from, size_t size) {
   }
 }
 
-/* Writes the next message of a ring. One writer. */
+/* Writes the next message of a ring buffer. Single writer. */
 template <typename Message> void publish(Message* ring, uint32_t& count, const Message& message) {
   const uint32_t next = __atomic_load_n(&count, __ATOMIC_RELAXED);
   __atomic_thread_fence(__ATOMIC_SEQ_CST);
@@ -72,8 +72,8 @@ template <typename Message> void publish(Message* ring, uint32_t& count, const M
   __atomic_store_n(&count, next + 1, __ATOMIC_RELEASE);
 }
 
-/* The newest message and its number, from 1 on; 0 when there is none, or when the writer is so quick that no copy
- * stands still. One place of the ring is always being written. */
+/* The newest message and its number, from 1 on; 0 if there is none, or if the writer overtakes 100 copies in a row. One
+ * slot of the ring is reserved for the writer. */
 template <typename Message> uint32_t newest(const Message* ring, const uint32_t& count, Message& message) {
   for (int attempt = 0; attempt < 100; ++attempt) {
     const uint32_t before = __atomic_load_n(&count, __ATOMIC_ACQUIRE);
@@ -89,7 +89,7 @@ template <typename Message> uint32_t newest(const Message* ring, const uint32_t&
   return 0;
 }
 
-/* Wakes whoever waits for `count` to change; waits while it is `seen`, not longer than `timeout`. */
+/* wake: wakes all waiters on `count`. wait: waits while `count` equals `seen`, at most `timeout`. */
 inline void wake(const uint32_t& count) {
   syscall(SYS_futex, &count, FUTEX_WAKE, 0x7fffffff, static_cast<void*>(0), static_cast<void*>(0), 0);
 }

@@ -9,16 +9,16 @@
 namespace naocal {
 namespace {
 
-/// Wherever links lead; a folder is no file in it.
+/// Whether `file` lies in `folder` after resolving links; false for folders.
 bool liesIn(const std::filesystem::path& folder, const std::filesystem::path& file) {
-  std::error_code failed; // such as links in a circle
+  std::error_code failed; // such as circular links
   const auto whole = std::filesystem::canonical(folder, failed);
   const auto inside = failed ? whole : std::filesystem::weakly_canonical(file, failed);
   return !failed && !std::filesystem::is_directory(inside, failed) &&
          std::mismatch(whole.begin(), whole.end(), inside.begin(), inside.end()).first == whole.end();
 }
 
-/// The files of a journal. Throws ConfigurationError for a broken one, and for one that leads out of the folder.
+/// The files of a journal. Throws ConfigurationError for a broken journal or a path outside the folder.
 std::vector<FileContent> filesOf(const nlohmann::json& noted, const std::filesystem::path& folder) {
   std::vector<FileContent> files;
   try {

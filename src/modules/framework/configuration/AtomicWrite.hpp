@@ -8,24 +8,24 @@
 
 namespace naocal {
 
-/// Writes a file whole or not at all (`writeAtomically` does); throws what says why not.
+/// Writes one file atomically (such as `writeAtomically`); throws an exception that gives the reason.
 using FileWriter = std::function<void(const std::filesystem::path& file, std::string_view content)>;
 
-/// A file and what shall be in it.
+/// A file and its new content.
 struct FileContent {
   std::filesystem::path file;
   std::string content;
 };
 
-/// Writes several files of a folder, so that after whatever ends the program either all of them or none of them are
-/// new: they are noted in `journal` first, by their paths in the folder, from which `recoverWrites` goes on.
+/// Writes several files of a folder as one transaction (write-ahead journal): after any crash either all files or none
+/// are new. `journal` lists them first, by paths relative to `folder`; `recoverWrites` completes an interrupted write.
 void writeFilesAtomically(const std::filesystem::path& journal, const std::filesystem::path& folder,
                           const std::vector<FileContent>& files, const FileWriter& writer);
 
-/// Writes what a program that ended in between did not get to, and removes the journal; does nothing without one. A
-/// journal that is broken, or names any file outside the folder (by its path or by links), is not obeyed at all and
-/// stays: the sentence that is returned says why, else it is empty. Absolute paths into the folder, as earlier versions
-/// wrote, are obeyed.
+/// Completes the writes of an interrupted `writeFilesAtomically` and removes the journal; does nothing without a
+/// journal. A journal that is broken, or names a file outside the folder (by its path or through links), is ignored as
+/// a whole and kept; the returned sentence says why, otherwise it is empty. Absolute paths into the folder, as earlier
+/// versions wrote them, are accepted.
 std::string recoverWrites(const std::filesystem::path& journal, const std::filesystem::path& folder,
                           const FileWriter& writer);
 

@@ -24,8 +24,7 @@ std::string text(const json& object) {
 
 constexpr const char* journalName = "unfinished-save.json";
 
-/// All files of a configuration by their paths in it, without the secret and the journal; none where there is no
-/// folder.
+/// All files of a configuration, by relative path, without the secret and the journal; empty if `root` does not exist.
 std::set<std::filesystem::path> filesIn(const std::filesystem::path& root) {
   std::set<std::filesystem::path> files;
   if (!std::filesystem::exists(root)) {
@@ -41,7 +40,7 @@ std::set<std::filesystem::path> filesIn(const std::filesystem::path& root) {
   return files;
 }
 
-/// A file's bytes with all comments; an empty object's for one that does not exist.
+/// The bytes of a file, including comments; an empty object if it does not exist.
 std::string textOf(const std::filesystem::path& file) {
   std::ifstream stream{file, std::ios::binary};
   std::ostringstream text;
@@ -51,16 +50,16 @@ std::string textOf(const std::filesystem::path& file) {
 
 } // namespace
 
-/// A file of the configuration as its mount serves it.
+/// A mounted file: layers, published keys and unsaved changes.
 struct Configuration::Mounted {
   std::string name;
   std::string file;
   RobotPart part = RobotPart::none;
   Listener listener;
-  std::set<std::string> unsaved; // top-level keys that no file shall get
+  std::set<std::string> unsaved; // top-level keys never written to a file
   Overlay overlay;
   nlohmann::json published = nlohmann::json::object();
-  std::map<std::string, nlohmann::json> changed; // top-level keys that differ from the files, and what those say
+  std::map<std::string, nlohmann::json> changed; // unsaved top-level keys and their values in the files
 };
 
 Configuration::Configuration(ConfigurationFolders folders, RobotNames names, FileWriter writer,
@@ -180,7 +179,7 @@ void Configuration::save(const std::set<std::vector<Mounted*>>& groups) {
   std::vector<Mounted*> written;
   for (const auto& group : groups) {
     if (std::none_of(group.begin(), group.end(), [this](const Mounted* entry) { return changesFile(*entry); })) {
-      continue; // what an undo goes back to stays what it is
+      continue; // nothing to write; the undo state stays
     }
     for (Mounted* entry : group) {
       const auto file = target(*entry);
@@ -248,7 +247,7 @@ bool Configuration::isSaved(std::string_view mount) const {
 }
 
 void Configuration::writeTo(const std::filesystem::path& root) const {
-  std::map<std::filesystem::path, json> changed; // as they would be saved
+  std::map<std::filesystem::path, json> changed; // content after a save
   {
     const std::lock_guard lock{mutex_};
     for (const auto& [name, entry] : mounts_) {

@@ -13,64 +13,64 @@
 
 namespace naocal {
 
-/// The configuration of one robot: files under mount names, read through their layers, changed by key, saved into the
-/// layer of the robot that they belong to, beside what was shipped. All functions may be called from any thread.
+/// The configuration of one robot: files served under mount names, merged from layers, changed by key, and saved into
+/// the robot's own layers; shipped files stay untouched. Thread-safe.
 class Configuration {
 public:
-  /// Is given a top-level key's new value before it counts, and throws ConfigurationError to refuse it.
+  /// Validates a top-level key's new value before it takes effect; throws ConfigurationError to refuse it.
   using Listener = std::function<void(const std::string& key, const nlohmann::json& value)>;
 
-  /// Finishes a save that was cut off; says to `log` where it does not, because its journal is not this robot's.
+  /// Completes an interrupted save; writes a sentence to `log` if the journal is not valid for this robot.
   Configuration(
       ConfigurationFolders folders, RobotNames names, FileWriter writer,
       const std::function<void(std::string_view)>& log = [](std::string_view) {});
   ~Configuration();
 
-  /// Serves a file's keys as `mount`; those of `unsaved` are never saved. Throws ConfigurationError for a broken file
-  /// or a mount name that is taken.
+  /// Serves the keys of `file` as `mount`; never saves the keys in `unsaved`. Throws ConfigurationError for a broken
+  /// file or a mount name already taken.
   void mount(const std::string& mount, const std::string& file, RobotPart part, Listener listener = {},
              std::set<std::string> unsaved = {});
 
-  /// Serves a key that is in no file and cannot be set (NaoInfo.headName).
+  /// Serves a read-only key that is in no file (NaoInfo.headName).
   void publish(const std::string& mount, const std::string& key, const nlohmann::json& value);
 
   struct Mount {
     std::string name;
-    std::filesystem::path file; // the most specific one that exists; where it would be saved when there is none
+    std::filesystem::path file; // most specific existing file; without one, the save target
   };
   std::vector<Mount> mounts() const;
 
-  /// All keys of a mount; an empty object for one that does not exist.
+  /// All keys of a mount; an empty object for an unknown mount.
   void readKeys(std::string_view mount, nlohmann::json& out) const;
 
-  /// Sets the value at a path such as `a.b[2].c` (lists cannot grow, keys must exist, a key may hold dots itself).
-  /// Throws ConfigurationError when there is no such place or its module refuses the value; nothing has changed then.
+  /// Sets the value at a path such as `a.b[2].c`. Lists cannot grow, keys must exist, and a key may contain dots.
+  /// Throws ConfigurationError if the path does not exist or the listener refuses the value; the configuration then
+  /// stays unchanged.
   void set(std::string_view mount, std::string_view path, const nlohmann::json& value);
 
-  /// Writes what was set since the last save into the robot's own files (saveTarget), the file's other keys as they
-  /// are; the file as it was is kept beside it as `<file>.previous`. Where no content would change, nothing is written,
-  /// and an undo takes back the save before. Whatever ends the program, all files are old or all new.
+  /// Writes all changes since the last save into the robot's own files (`saveTarget`) and keeps their other keys; the
+  /// previous version of each file is kept as `<file>.previous`. Files whose content would not change are not written,
+  /// so that undo reverts the last effective save. Atomic: after a crash all files are old or all are new.
   void save();
-  /// Only this mount.
+  /// Saves only this mount, and the mounts grouped with it (`saveTogether`).
   void save(const std::string& mount);
 
-  /// From now on a save or an undo of one of these mounts is one of all of them, changed or not: what belongs together
-  /// goes back together.
+  /// Groups mounts: a save or undo of one of them applies to all, changed or not.
   void saveTogether(std::vector<std::string> mounts);
 
-  /// All is as the files say: nothing was set since the last save, or it was put back.
+  /// No unsaved changes: every key has the value in the files.
   bool isSaved(std::string_view mount) const;
 
-  /// Writes all files as they would be if everything was saved now into another, empty root, where what was shipped and
-  /// what was saved are one, without the secret and without what a save that did not end has noted.
+  /// Writes all files, as they would be after saving now, into another, empty root. Merges shipped and saved files;
+  /// leaves out the secret (access.json) and the journal of an interrupted save.
   void writeTo(const std::filesystem::path& root) const;
 
-  /// Puts a mount's saved file back to what it was before its last save, and its keys with it. Changes that are not
-  /// saved are lost. Throws ConfigurationError when nothing was saved since the last undo.
+  /// Restores a mount's saved file, and its keys, from before the last save; unsaved changes are lost. Throws
+  /// ConfigurationError if nothing was saved since the last undo.
   void undo(const std::string& mount);
 
-  /// Where a mount's changes are saved: the robot's own file of the default location, so that a robot keeps them
-  /// wherever it plays; its file of the present location when that location sets keys of this mount already.
+  /// Save target of a mount: the robot's own file of the default location, which applies at every location; its file of
+  /// the current location if that location already sets keys of this mount.
   std::filesystem::path saveTarget(std::string_view mount) const;
 
 private:
@@ -79,7 +79,7 @@ private:
   const Mounted& mounted(std::string_view mount) const;
   std::filesystem::path target(const Mounted& mounted) const;
   std::filesystem::path journal() const;
-  nlohmann::json toSave(const Mounted& mounted) const; // its file's content
+  nlohmann::json toSave(const Mounted& mounted) const; // content of the saved file
   nlohmann::json merged(const std::filesystem::path& file,
                         const std::map<std::filesystem::path, nlohmann::json>& changed) const; // shipped and saved
   std::vector<Mounted*> keptTogether(const std::string& mount);

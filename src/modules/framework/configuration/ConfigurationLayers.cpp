@@ -12,7 +12,7 @@ namespace {
 
 using nlohmann::json;
 
-/// A name that is one folder: no way out of the configuration's own.
+/// Checks that a name is a single path component; throws ConfigurationError otherwise.
 std::string folderName(const std::string& name, std::string_view what) {
   if (name.empty() || name == "." || name == ".." || name.find('/') != std::string::npos) {
     throw ConfigurationError{
@@ -78,7 +78,7 @@ std::optional<json> readConfiguration(const std::filesystem::path& file) {
   text << stream.rdbuf();
   json content;
   try {
-    (void)json(text.str()).dump(); // comments as well: what is kept of a file is written anew
+    (void)json(text.str()).dump(); // comments too: kept parts of a file are written again
   } catch (const json::exception&) {
     throw ConfigurationError{
         fmt::format("{}: expected text in UTF-8, found other bytes; save it as UTF-8", file.string())};

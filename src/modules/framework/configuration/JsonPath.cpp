@@ -23,7 +23,7 @@ json* descendIndex(json& list, std::string_view path) { // path starts with '['
   return descend(list[index], path.substr(close + 1));
 }
 
-/// The value under the longest key of `object` that `path` starts with, and so on from there.
+/// Resolves `path` from the longest matching key of `object`, with backtracking to shorter keys.
 json* descendKey(json& object, std::string_view path, std::string* key) {
   if (!object.is_object()) {
     return nullptr;

@@ -6,8 +6,8 @@
 
 namespace naocal {
 
-/// The value at a path such as `a.b[2].c`, and its top-level key. A key may hold dots itself ("network.basePort"): of
-/// several readings the one with the longest existing key counts. value = nullptr: there is no such place.
+/// The value at a path such as `a.b[2].c`, and its top-level key. Keys may contain dots ("network.basePort"): the
+/// longest existing key wins. value = nullptr if the path does not exist.
 struct JsonPathTarget {
   nlohmann::json* value = nullptr;
   std::string topLevelKey;

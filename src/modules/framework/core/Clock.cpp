@@ -4,8 +4,8 @@ namespace naocal {
 namespace {
 
 constexpr std::size_t mostStretches = 8;
-constexpr Duration oldestFrame = std::chrono::seconds{1};          // a camera's frame is handed over sooner than that
-constexpr Duration agingPerSecond = std::chrono::microseconds{20}; // how fast quartz and slewing spoil an old reading
+constexpr Duration oldestFrame = std::chrono::seconds{1};          // maximum age of a frame at delivery
+constexpr Duration agingPerSecond = std::chrono::microseconds{20}; // growth of the bracket by quartz drift and slewing
 
 } // namespace
 

@@ -15,7 +15,7 @@
 namespace naocal {
 namespace {
 
-/// `prepare` with the place in its refusal.
+/// Calls `prepare`; adds mount and key to its ConfigurationError.
 std::function<void()> preparedAt(AnyParameter& parameter, const nlohmann::json& value, const std::string& mount) {
   try {
     return parameter.prepare(value);
@@ -86,7 +86,7 @@ Origins originsOf(const std::vector<Thread*>& threads) {
   return origins;
 }
 
-/// Where a dependency's value comes from, after all checks of that pair.
+/// The production of a dependency, after all checks of the pair.
 const Origin& originOf(const AnyDependency& dependency, const Module& module, std::size_t thread,
                        const std::vector<Thread*>& threads, const Origins& origins) {
   const std::string own = threads[thread]->name() + "." + dependency.name();
@@ -112,12 +112,12 @@ const Origin& originOf(const AnyDependency& dependency, const Module& module, st
   return origin;
 }
 
-/// For every module of a thread the modules that must run before it.
+/// For each module of a thread, the modules that must run before it.
 using Predecessors = std::vector<std::set<std::size_t>>;
 
 [[noreturn]] void refuseCircle(const Thread& thread, const Predecessors& predecessors,
                                const std::set<std::size_t>& left) {
-  std::vector<std::size_t> path{*left.begin()}; // back from one that waits to what it waits for, until one comes again
+  std::vector<std::size_t> path{*left.begin()}; // follows predecessors until a module repeats
   auto first = path.end();
   do {
     const auto& before = predecessors[path.back()];
@@ -168,8 +168,8 @@ std::vector<std::string> configureModules(Thread& thread, Configuration& configu
 
 Database::Database(const std::vector<Thread*>& threads) {
   const Origins origins = originsOf(threads);
-  std::map<const AnyProduction*, std::string> readers; // the first of each production
-  std::vector<std::vector<std::size_t>> orders;        // sorting comes last: origins hold the modules' old places
+  std::map<const AnyProduction*, std::string> readers; // the first reader of each production
+  std::vector<std::vector<std::size_t>> orders;        // applied last: `origins` holds the modules' old indices
   for (std::size_t t = 0; t < threads.size(); ++t) {
     Predecessors predecessors(threads[t]->modules().size());
     for (std::size_t m = 0; m < predecessors.size(); ++m) {

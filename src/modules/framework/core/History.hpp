@@ -14,8 +14,8 @@
 
 namespace naocal {
 
-/// What lies at `fraction` (0..1) of the way from `from` to `to`. The customisation point of History: types with + - *
-/// have it, others declare an overload beside themselves.
+/// Linear interpolation: `fraction` 0 gives `from`, 1 gives `to`. The customisation point of History: types with + - *
+/// use this template, others declare an overload in their own namespace.
 template <class T>
 requires requires(const T& a) {
   T(a + (a - a) * 0.5);
@@ -24,11 +24,11 @@ T interpolate(const T& from, const T& to, double fraction) {
   return T(from + (to - from) * fraction);
 }
 
-/// The last `Capacity` values with their times, from one writing thread to any number of reading threads.
+/// Ring buffer of the last `Capacity` timestamped values; one writing thread, any number of reading threads.
 ///
-/// The writer never waits (it overwrites the oldest entry); a reader whose entry is overwritten while it reads tries
-/// again. Each entry is a seqlock whose words are atomics: odd sequence = being written. See Boehm, "Can seqlocks get
-/// along with programming language memory models?" (2012).
+/// The writer is wait-free (it overwrites the oldest entry); a reader retries if its entry is overwritten while it
+/// reads. Each entry is a seqlock whose words are atomics; an odd sequence marks a write in progress. See Boehm, "Can
+/// seqlocks get along with programming language memory models?" (2012).
 template <class T, std::size_t Capacity = 256> class History {
   static_assert(std::is_trivially_copyable_v<T>, "a history copies its values word by word between threads");
   static_assert(Capacity >= 4);
@@ -43,7 +43,7 @@ public:
   History(const History&) = delete;
   History& operator=(const History&) = delete;
 
-  /// Adds a value (writing thread only). One that is not newer than the newest is not taken; false then.
+  /// Adds a value (writing thread only). Returns false, and drops the value, unless it is newer than the newest entry.
   bool push(TimePoint time, const T& value) {
     if (count_.load(std::memory_order_relaxed) > 0 && time <= newestTime_) {
       return false;
@@ -55,7 +55,7 @@ public:
     return true;
   }
 
-  /// The newest entry; absent while there is none.
+  /// The newest entry; absent if the history is empty.
   std::optional<Entry> newest() const {
     for (;;) {
       const std::uint64_t count = count_.load(std::memory_order_acquire);
@@ -68,7 +68,7 @@ public:
     }
   }
 
-  /// The value at a time, interpolated between its neighbours; absent before the oldest and after the newest entry.
+  /// The value at a time, interpolated between its neighbours; absent outside the time span of the entries.
   std::optional<T> at(TimePoint time) const {
     for (;;) {
       const std::uint64_t count = count_.load(std::memory_order_acquire);
@@ -81,7 +81,7 @@ public:
     }
   }
 
-  /// Calls `visit` with each entry from `first` to `last`, newest first, as far as the history reaches.
+  /// Calls `visit` for each entry from `first` to `last`, newest first; stops at an entry that was overwritten.
   template <class Visit> void visit(TimePoint first, TimePoint last, Visit&& visit) const {
     for (std::uint64_t index = count_.load(std::memory_order_acquire); index > 0; --index) {
       const auto entry = read(index - 1);
@@ -102,7 +102,7 @@ private:
   };
 
   struct Slot {
-    std::atomic<std::uint64_t> sequence{0}; // 2 index + 2 when entry `index` is complete, odd while it is written
+    std::atomic<std::uint64_t> sequence{0}; // 2 index + 2 when entry `index` is complete; odd during a write
     std::array<std::atomic<std::uint64_t>, words> content{};
 
     void write(std::uint64_t index, const Entry& entry) {
@@ -110,7 +110,7 @@ private:
       std::memcpy(copy.data(), static_cast<const void*>(&entry), sizeof(Entry));
       sequence.store(2 * index + 1, std::memory_order_relaxed);
       for (std::size_t i = 0; i < words; ++i) {
-        content[i].store(copy[i], std::memory_order_release); // not before the odd sequence
+        content[i].store(copy[i], std::memory_order_release); // not before the odd sequence is stored
       }
       sequence.store(2 * index + 2, std::memory_order_release);
     }
@@ -125,7 +125,7 @@ private:
     }
     std::array<std::uint64_t, words> copy;
     for (std::size_t i = 0; i < words; ++i) {
-      copy[i] = slot.content[i].load(std::memory_order_acquire); // the sequence is read again after them
+      copy[i] = slot.content[i].load(std::memory_order_acquire); // before the sequence is loaded again
     }
     if (slot.sequence.load(std::memory_order_relaxed) != expected) {
       return std::nullopt;
@@ -135,9 +135,9 @@ private:
     return std::bit_cast<Entry>(bytes);
   }
 
-  /// Bisects the entries before `count`; absent when one that it needed was overwritten meanwhile.
+  /// Binary search in the first `count` entries; absent if an entry it needed was overwritten meanwhile.
   std::optional<Answer> search(std::uint64_t count, TimePoint time) const {
-    // The slot after the newest one is the next to be overwritten: the oldest entry is not counted on.
+    // The oldest entry is excluded: the writer overwrites its slot next.
     std::uint64_t low = count > Capacity - 1 ? count - (Capacity - 1) : 0;
     std::uint64_t high = count - 1;
     auto from = read(low);
@@ -165,7 +165,7 @@ private:
 
   std::array<Slot, Capacity> slots_;
   std::atomic<std::uint64_t> count_{0};
-  TimePoint newestTime_; // the writer's own
+  TimePoint newestTime_; // used by the writer only
 };
 
 } // namespace naocal

@@ -6,9 +6,9 @@
 
 namespace naocal {
 
-/// The newest value from one writing thread to one reading thread; older ones that nobody read are lost.
+/// Triple buffer: passes the newest value from one writing thread to one reading thread; unread older values are lost.
 ///
-/// Three places: one belongs to the writer, one to the reader, one waits between them. Neither side ever waits.
+/// One slot belongs to the writer, one to the reader, one holds the value in between. Wait-free on both sides.
 template <class T> class Latest {
 public:
   Latest() = default;
@@ -21,8 +21,8 @@ public:
     writers_ = between_.exchange(static_cast<unsigned char>(writers_ | fresh), std::memory_order_acq_rel) & index;
   }
 
-  /// The newest value if it has not been taken before (reading thread only); it may be moved from and stays until the
-  /// next call. nullptr: nothing new.
+  /// The newest value, unless already taken (reading thread only); may be moved from; valid until the next call.
+  /// nullptr if there is no new value.
   T* take() const {
     if ((between_.load(std::memory_order_relaxed) & fresh) == 0) {
       return nullptr;
@@ -34,7 +34,7 @@ public:
 private:
   static constexpr unsigned char fresh = 4, index = 3;
 
-  // Taking is the reader's business and no change of the production that it depends on.
+  // Mutable: taking a value does not change the production that the reader depends on.
   mutable std::array<T, 3> places_{};
   mutable std::atomic<unsigned char> between_{1};
   mutable unsigned char readers_ = 2;

@@ -21,7 +21,7 @@ class AnyDependency;
 class AnyParameter;
 class AnyProduction;
 
-/// One step of a thread's cycle. Its members are its contract with the others and with the configuration:
+/// One step of a thread's cycle. Its members declare its interface to other modules and to the configuration:
 ///
 ///     class Stillness : public Module {
 ///       Parameter<double> fastest_{*this, "fastestJoint"};        // [rad/s]
@@ -29,7 +29,7 @@ class AnyProduction;
 ///       Production<bool> isStill_{*this, "isStill"};
 ///     };
 ///
-/// Threads sort their modules so that each runs after those that it depends on.
+/// A thread sorts its modules so that each runs after the modules it depends on.
 class Module {
 public:
   explicit Module(std::string name) : name_{std::move(name)} {}
@@ -37,13 +37,13 @@ public:
   Module(const Module&) = delete;
   Module& operator=(const Module&) = delete;
 
-  /// Computes the productions from dependencies and parameters, once per cycle of its thread.
+  /// Computes the productions from dependencies and parameters; called once per cycle of the thread.
   virtual void cycle() = 0;
 
   /// Called before the first cycle, and between cycles after each change of a parameter.
   virtual void onParametersChanged() {}
 
-  /// Called when its thread has ended, while all modules are still there: what others do for it must end now.
+  /// Called when the thread has ended, before any module is destroyed: a module must stop using others here.
   virtual void onThreadEnd() {}
 
   const std::string& name() const { return name_; }
@@ -51,12 +51,12 @@ public:
   const std::vector<AnyDependency*>& dependencies() const { return dependencies_; }
   const std::vector<AnyProduction*>& productions() const { return productions_; }
 
-  /// The time that this module gave to the current cycle; absent but for the one that waits for the hardware.
+  /// The time stamp set for the current cycle; present only in the module that waits for the hardware.
   std::optional<TimePoint> takeCycleTime() { return std::exchange(cycleTime_, std::nullopt); }
 
 protected:
-  /// Says when this cycle's measurements were taken. Called, once it has them, by the module that waits for them: time
-  /// spent before that is waiting, not work.
+  /// Sets the time of this cycle's measurements. The module that waits for measurements calls it once they have
+  /// arrived; time spent before counts as waiting, not as work.
   void setCycleTime(TimePoint time) { cycleTime_ = time; }
 
 private:
@@ -71,7 +71,7 @@ private:
   std::optional<TimePoint> cycleTime_;
 };
 
-/// What the wiring sees of a dependency.
+/// Type-erased dependency, as the wiring uses it.
 class AnyDependency {
 public:
   AnyDependency(Module& owner, std::string name, std::type_index type);
@@ -81,7 +81,7 @@ public:
   const std::string& name() const { return name_; }
   std::type_index type() const { return type_; }
 
-  /// Connects it with a production's value of its type.
+  /// Connects to a production's value; the caller guarantees that it has this type.
   void connect(const void* value) { value_ = value; }
 
 protected:
@@ -92,8 +92,8 @@ private:
   std::type_index type_;
 };
 
-/// A value that another module computes: `name` of the own thread, or `<thread>.<name>` of another one (History and
-/// Latest only). Valid from the wiring on.
+/// A value computed by another module: `name` in the same thread, or `<thread>.<name>` in another one (History and
+/// Latest only). Valid after wiring.
 template <class T> class Dependency final : public AnyDependency {
 public:
   Dependency(Module& owner, std::string name) : AnyDependency{owner, std::move(name), typeid(T)} {}
@@ -102,25 +102,25 @@ public:
   const T* operator->() const { return static_cast<const T*>(value_); }
 };
 
-/// A picture as the debug socket sends it.
+/// An image in the encoding of the debug protocol.
 struct EncodedImage {
   std::uint16_t width = 0, height = 0; // [px]
   std::string bytes;                   // a JPEG or PNG file
 };
 
-/// A type that is shown as a picture: `toImage` is declared beside it.
+/// A type displayed as an image; `toImage` is found by argument-dependent lookup.
 template <class T>
 concept DisplayableAsImage = requires(const T& value) {
   { toImage(value) } -> std::same_as<EncodedImage>;
 };
 
-/// A copy of a production as it was in one cycle. The cycle only copies; whoever shows it turns it into text.
+/// A copy of a production's value in one cycle. The cycle thread only copies; another thread encodes.
 class Sample {
 public:
   virtual ~Sample() = default;
-  /// The value through its type's `to_json`; null for a picture.
+  /// The value through its type's `to_json`; null for an image.
   virtual void json(nlohmann::json& out) const = 0;
-  /// Absent for what is no picture.
+  /// The encoded image; absent if the type is not an image.
   virtual std::optional<EncodedImage> image() const = 0;
 };
 
@@ -144,7 +144,7 @@ private:
   T value_;
 };
 
-/// How a production's value is copied for showing: nullptr where there is nothing to show.
+/// Copies a production's value for display; nullptr if there is nothing to display.
 template <class T> std::unique_ptr<const Sample> makeSample(const T& value) {
   return std::make_unique<TypedSample<T>>(value);
 }
@@ -156,11 +156,11 @@ template <class T> std::unique_ptr<const Sample> makeSample(const Latest<T>&) {
   return nullptr;
 }
 
-/// What is handed over belongs to its reader, and is not shown.
+/// Whether values of the type can be displayed; false for Latest, whose value belongs to its reader.
 template <class T> inline constexpr bool isDisplayable = true;
 template <class T> inline constexpr bool isDisplayable<Latest<T>> = false;
 
-/// What the wiring and the debug socket see of a production. Its key is `<thread>.<name>`.
+/// Type-erased production, as the wiring and the debug socket use it. Its key is `<thread>.<name>`.
 class AnyProduction {
 public:
   AnyProduction(Module& owner, std::string name, std::type_index type, bool crossesThreads, int mostReaders);
@@ -173,13 +173,13 @@ public:
   bool crossesThreads() const { return crossesThreads_; }
   int mostReaders() const { return mostReaders_; } // 0: any number
   virtual bool isImage() const = 0;
-  virtual bool isDisplayable() const = 0; // has a value that can be looked at
+  virtual bool isDisplayable() const = 0; // can be shown by the debug socket
   virtual const void* value() const = 0;
 
-  /// A copy for showing; nullptr where there is nothing to show.
+  /// A copy for display; nullptr if there is nothing to display.
   virtual std::unique_ptr<const Sample> sample() const = 0;
 
-  /// Whether anybody wants to see it; set by the debug server's thread, read at the end of a cycle.
+  /// Whether a client subscribes to it; set by the debug server's thread, read at the end of a cycle.
   void setWanted(bool wanted) { wanted_.store(wanted, std::memory_order_relaxed); }
   bool isWanted() const { return wanted_.load(std::memory_order_relaxed); }
 
@@ -205,8 +205,8 @@ template <class T> inline constexpr bool crossesThreads<Latest<T>> = true;
 template <class T> inline constexpr int mostReaders = 0;
 template <class T> inline constexpr int mostReaders<Latest<T>> = 1;
 
-/// A value that its module computes and others of its thread may depend on. Of another thread only History and Latest
-/// can be depended on.
+/// A value that its module computes and other modules of the thread may read. Modules of other threads may read only
+/// History and Latest.
 template <class T> class Production final : public AnyProduction {
 public:
   Production(Module& owner, std::string name)
@@ -215,7 +215,7 @@ public:
   const T& operator*() const { return value_; }
   const T* operator->() const { return &value_; }
 
-  /// The value, to be changed in this cycle.
+  /// Mutable access; marks the value as edited in this cycle.
   T& edit() {
     edited_ = true;
     return value_;

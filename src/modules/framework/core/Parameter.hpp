@@ -14,7 +14,7 @@
 
 namespace naocal {
 
-/// What wiring and configuration see of a parameter: a key of its module's file.
+/// Type-erased parameter, as wiring and configuration use it: a key of the module's file.
 class AnyParameter {
 public:
   AnyParameter(Module& owner, std::string key);
@@ -24,10 +24,10 @@ public:
 
   const std::string& key() const { return key_; }
 
-  /// A command for this moment, such as "start": saving leaves it out, so that no file holds yesterday's command.
+  /// A momentary command such as "start"; never saved.
   virtual bool isCommand() const { return false; }
 
-  /// Reads a value on any thread and returns what puts it into effect on the module's own thread. Throws
+  /// Parses a value on any thread; the returned function applies it and runs on the module's thread. Throws
   /// ConfigurationError that says what was expected and found, without the place.
   virtual std::function<void()> prepare(const nlohmann::json& value) = 0;
 
@@ -35,18 +35,18 @@ private:
   std::string key_;
 };
 
-/// Throw ConfigurationError unless the value is what they ask for; `refuseValue` turns the exception of a `from_json`
-/// that is being handled into one.
+/// Checks that throw ConfigurationError. `refuseValue(value)` must be called in a handler: it converts the exception of
+/// a `from_json` into ConfigurationError.
 void requireBoolean(const nlohmann::json& value);
 void requireNumber(const nlohmann::json& value);
 void requireInteger(const nlohmann::json& value, double lowest, double highest);
 [[noreturn]] void refuseValue(const nlohmann::json& value);
 [[noreturn]] void refuseValue(const nlohmann::json& value, const std::string& expected);
 
-/// A number, text, list or structure (with `from_json`) that a person configures; changes take effect between cycles.
+/// A configurable number, text, list or structure (with `from_json`); changes take effect between cycles.
 template <class T> class Parameter : public AnyParameter {
 public:
-  /// What is wrong with a value ("expected a positive number"), empty when nothing is: `expected` in the refusal.
+  /// Validates a value: returns the expectation ("a positive number"), used in the error message; empty if valid.
   using Check = std::string (*)(const T&);
 
   Parameter(Module& owner, std::string key, Check check = nullptr)
@@ -90,13 +90,13 @@ private:
   std::uint64_t writes_ = 0;
 };
 
-/// A command rather than a setting: that it was given counts, not only its value.
+/// A parameter that acts as a command: setting it counts even if the value stays the same.
 template <class T> class CommandParameter final : public Parameter<T> {
 public:
   using Parameter<T>::Parameter;
   bool isCommand() const override { return true; }
 
-  /// Whether it was given anew since the last call. What the file says was not given.
+  /// Whether it was set since the last call. The initial value from the file does not count.
   bool takeCommand() {
     const bool given = seen_ > 0 && this->writes() != seen_;
     seen_ = this->writes();
@@ -107,15 +107,15 @@ private:
   std::uint64_t seen_ = 0;
 };
 
-// What numbers may be asked to be (Parameter::Check): each says what it expects of a value that is not so.
+// Validators (Parameter::Check): each returns its expectation, empty if the value is valid.
 
 /// A number from Low to High.
 template <int Low, int High, class T> std::string checkWithin(const T& value) {
-  const bool is = value >= Low && value <= High; // not so for what is no number
+  const bool is = value >= Low && value <= High; // false for NaN
   return is ? "" : "a number from " + std::to_string(Low) + " to " + std::to_string(High);
 }
 
-/// Some numbers from Low to High, at most twenty.
+/// A list of one to twenty numbers from Low to High.
 template <int Low, int High> std::string checkEachWithin(const std::vector<double>& values) {
   const bool are =
       !values.empty() && values.size() <= 20 &&
@@ -123,7 +123,7 @@ template <int Low, int High> std::string checkEachWithin(const std::vector<doubl
   return are ? "" : "a list of one to twenty numbers from " + std::to_string(Low) + " to " + std::to_string(High);
 }
 
-/// Above none, at most the whole.
+/// A fraction in (0, 1].
 inline std::string checkShare(const double& value) {
   return value > 0 && value <= 1 ? "" : "a number above 0, at most 1";
 }

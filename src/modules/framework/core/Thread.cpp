@@ -9,13 +9,13 @@
 
 namespace naocal {
 
-/// Keeps a thread's CycleTimes; each thread has one as its first module.
+/// Measures a thread's CycleTimes; the first module of every thread.
 class CycleClock final : public Module {
 public:
   CycleClock() : Module{"CycleClock"} {}
-  void cycle() override; // publishes what was counted up to the cycle before
+  void cycle() override; // publishes the counts up to the previous cycle
 
-  /// Counts a cycle whose measurements had the time `start`, arrived at `arrival` and were worked on until `end`.
+  /// Counts a cycle: measurement time `start`, arrival of the measurements `arrival`, end of work `end`.
   void count(TimePoint start, TimePoint arrival, TimePoint end);
 
 private:
@@ -90,11 +90,11 @@ void Thread::applyChanges() {
   {
     const std::unique_lock lock{changesMutex_, std::try_to_lock};
     if (!lock.owns_lock()) {
-      return; // somebody is adding one: the next cycle has them all
+      return; // a change is being posted; the next cycle applies it
     }
     changes.swap(changes_);
   }
-  for (Change& change : changes) { // told one by one: of two values that come together, the first is one as well
+  for (Change& change : changes) { // one by one: a module sees each of two values that arrive together
     change.apply();
     change.module->onParametersChanged();
   }

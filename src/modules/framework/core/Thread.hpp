@@ -13,30 +13,30 @@
 
 namespace naocal {
 
-/// How regularly and how long a thread works, over all its cycles.
+/// Period and work time of a thread, last, mean and maximum over all cycles.
 struct CycleTimes {
   std::uint64_t cycles = 0;
-  double period = 0, meanPeriod = 0, longestPeriod = 0; // from one cycle's measurements to the next ones [s]
-  double work = 0, meanWork = 0, longestWork = 0;       // from the measurements' arrival to the end of the cycle [s]
+  double period = 0, meanPeriod = 0, longestPeriod = 0; // between the measurement times of successive cycles [s]
+  double work = 0, meanWork = 0, longestWork = 0;       // from arrival of the measurements to the end of the cycle [s]
 };
 void to_json(nlohmann::json& out, const CycleTimes& times);
 
 class CycleClock;
 
-/// Is told at the end of every cycle, on the cycle's thread: it must not wait for anything.
+/// Observer of cycle ends, called on the cycle's thread; must not block.
 class CycleListener {
 public:
   virtual ~CycleListener() = default;
   virtual void onCycleEnd(TimePoint time, const std::vector<AnyProduction*>& productions) = 0;
 };
 
-/// A cycle of modules, and what is common to them: their order, their parameters' changes, the cycle's times.
+/// A sequence of modules executed cyclically; keeps their order, pending parameter changes and cycle times.
 class Thread {
 public:
-  /// `part`: whose configuration its modules have, the head's or the body's.
+  /// `part` selects the configuration of its modules: the head's or the body's.
   Thread(std::string name, RobotPart part);
 
-  /// Adds a module; before the wiring (Database).
+  /// Adds a module; must be called before wiring (Database).
   Module& add(std::unique_ptr<Module> module);
   template <class M, class... Arguments> M& add(Arguments&&... arguments) {
     return static_cast<M&>(add(std::make_unique<M>(std::forward<Arguments>(arguments)...)));
@@ -47,19 +47,19 @@ public:
   const std::vector<std::unique_ptr<Module>>& modules() const { return modules_; }
   std::vector<AnyProduction*> productions() const;
 
-  /// Puts the modules into the order of these indices (Database does).
+  /// Reorders the modules by index; called by Database.
   void sort(const std::vector<std::size_t>& order);
 
-  /// Has a change of one module's parameters done before a later cycle; from any thread.
+  /// Schedules a parameter change of a module for a later cycle; thread-safe.
   void postChange(Module& module, std::function<void()> apply);
 
-  /// Has one listener told of each cycle; before the first one.
+  /// Registers the only listener; must be called before the first cycle.
   void setListener(CycleListener& listener) { listener_ = &listener; }
 
-  /// Changes of parameters, every module in order, times, listener.
+  /// Runs one cycle: applies parameter changes, runs every module in order, updates cycle times, notifies the listener.
   void cycle();
 
-  /// After the last cycle: tells every module.
+  /// Notifies every module after the last cycle.
   void end();
 
 private:
@@ -76,11 +76,11 @@ private:
   CycleListener* listener_ = nullptr;
   std::vector<AnyProduction*> productions_;
 
-  std::mutex changesMutex_; // never waited for by the cycle
+  std::mutex changesMutex_; // the cycle only tries to lock it
   std::vector<Change> changes_;
 };
 
-/// Asks the system to prefer the calling thread to all ordinary ones (SCHED_FIFO). Returns why not, empty on success.
+/// Requests SCHED_FIFO scheduling for the calling thread. Returns the reason of a failure, empty on success.
 std::string requestRealTimePriority(int priority);
 
 } // namespace naocal

@@ -8,7 +8,7 @@
 namespace naocal {
 namespace {
 
-/// Takes the same time wherever the first difference lies.
+/// Constant-time comparison: its duration does not depend on the position of the first difference.
 bool equal(std::string_view sent, std::string_view secret) {
   unsigned difference = sent.size() == secret.size() ? 0 : 1;
   for (std::size_t i = 0; i < sent.size() && !secret.empty(); ++i) {

@@ -32,7 +32,7 @@ struct ConfigServer::Setting {
 
 struct ConfigServer::Client {
   bool hasEntered = false; // has sent the secret
-  bool isRefused = false;  // and that is logged
+  bool isRefused = false;  // the refusal has been logged
   std::vector<Setting> will;
 };
 
@@ -75,7 +75,7 @@ bool ConfigServer::isTrusted(const Peer& peer) const {
 
 void ConfigServer::onReceived(Peer& peer, std::uint8_t type, std::string body) {
   if (!clients_.contains(peer.weak_from_this())) {
-    return; // it has left
+    return; // the connection has ended
   }
   switch (static_cast<ConfigType>(type)) {
   case ConfigType::set:
@@ -95,7 +95,7 @@ void ConfigServer::onReceived(Peer& peer, std::uint8_t type, std::string body) {
 
 template <class Action> void ConfigServer::change(const Peer& peer, std::string_view what, const Action& action) {
   if (!isTrusted(peer)) {
-    if (!std::exchange(clientOf(peer).isRefused, true)) { // once is enough to know, and does not fill a disk
+    if (!std::exchange(clientOf(peer).isRefused, true)) { // logged once: repetition would fill the disk
       log_(fmt::format("Client {}: {} was refused, as all that it asks for will be; it has not sent the secret of "
                        "access.json.",
                        nameOf(peer), what));

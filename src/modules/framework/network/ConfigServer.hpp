@@ -10,14 +10,14 @@ namespace naocal {
 class Access;
 class Configuration;
 
-/// HULKs' configuration protocol: mounts, their keys, setting and saving. A value that cannot be set is a logged
-/// sentence and the others of its message are set; there are no replies to SET and SAVE.
+/// HULKs' configuration protocol: lists mounts and keys, sets and saves values. If a value cannot be set, a sentence is
+/// logged and the other values of the message are still set; SET and SAVE have no replies.
 ///
-/// Three settings are ours and not listed: SET {"mp": "naocal.access", "key": "secret", "value": ..} shows that a
-/// client may change the robot where it listens beyond this computer; {"mp": "naocal.configuration", "key": "undo",
-/// "value": mount} undoes a mount's last save; "key": "lastWill", "value": [{"mp": .., "key": .., "value": ..}, ..] is
-/// set when the client's connection ends, however it does, unless another client has set that key since: who starts a
-/// robot thus has it stop when nobody can stop it any more. A new last will replaces the one before.
+/// Three extensions, not listed: SET {"mp": "naocal.access", "key": "secret", "value": ..} authenticates a client where
+/// the server listens beyond this computer. {"mp": "naocal.configuration", "key": "undo", "value": mount} undoes a
+/// mount's last save. "key": "lastWill", "value": [{"mp": .., "key": .., "value": ..}, ..] is applied when the client's
+/// connection ends for any reason, except for keys that another client has set since; it stops a robot whose operator
+/// loses the connection. A new last will replaces the previous one.
 class ConfigServer final : public Protocol {
 public:
   ConfigServer(Configuration& configuration, Access& access, Log log);
@@ -31,8 +31,8 @@ public:
 
 private:
   struct Setting;
-  struct Client;                      // what is known of one
-  Client& clientOf(const Peer& peer); // that has not left
+  struct Client;                      // state of one connection
+  Client& clientOf(const Peer& peer); // the connection must not have ended
   void set(Peer& peer, const std::string& body);
   void setOne(Peer& peer, const std::string& mount, const std::string& key, const nlohmann::json& value);
   void enter(Peer& peer, const nlohmann::json& secret);
@@ -40,7 +40,7 @@ private:
   void keepWill(const Peer& peer, const nlohmann::json& settings);
   void sendMounts(Peer& peer) const;
   void sendKeys(Peer& peer, const std::string& mount) const;
-  /// Does it and logs what it throws, and a refusal to who may not.
+  /// Runs `action` and logs its exception; logs a refusal (once) if the client may not change anything.
   template <class Action> void change(const Peer& peer, std::string_view what, const Action& action);
 
   Configuration& configuration_;

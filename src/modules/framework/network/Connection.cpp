@@ -17,7 +17,7 @@ Connection::Connection(Socket socket, std::string address, Protocol& protocol, c
       log_{std::move(log)}, ended_{std::move(ended)}, allowance_{2 * limits.messagesPerSecond} {}
 
 void Connection::start() {
-  error_code ignored; // a socket that is gone already says so when it is read
+  error_code ignored; // a closed socket reports its error when it is read
   socket_.non_blocking(true, ignored);
   protocol_.onOpened(*this);
   readHeader();
@@ -45,7 +45,7 @@ void Connection::refuse(const std::string& sentence) {
 
 void Connection::readFailed(const error_code& error) {
   if (error == boost::asio::error::eof || error == boost::asio::error::connection_reset) {
-    return end(); // it has left
+    return end(); // regular end of the connection
   }
   refuse("cannot be read from: " + error.message());
 }
@@ -79,7 +79,7 @@ void Connection::readBody(std::uint8_t type, std::uint32_t size) {
 
 void Connection::handle(std::uint8_t type) {
   if (!open_) {
-    return; // it was read already when the connection ended
+    return; // the connection ended after this frame was read
   }
   if (tooFast()) {
     return refuse(fmt::format("expected at most {:.0f} messages per second, found more", limits_.messagesPerSecond));
@@ -119,7 +119,7 @@ void Connection::send(std::shared_ptr<const std::string> bytes) {
 
 void Connection::write() {
   while (!queue_.empty()) {
-    error_code error; // what the system takes at once needs no second visit: the client is not busy then
+    error_code error; // writes synchronously first: a client whose data the system accepts at once never counts as busy
     written_ += socket_.write_some(boost::asio::buffer(*queue_.front()) + written_, error);
     if (error && error != boost::asio::error::would_block && error != boost::asio::error::interrupted) {
       boost::asio::post(socket_.get_executor(), [self = self(), error] {

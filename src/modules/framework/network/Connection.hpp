@@ -10,23 +10,23 @@
 #include <memory>
 #include <string>
 
-/// Heavy (Boost.Asio): included by Connection.cpp and Sockets.cpp only.
+/// Heavy header (Boost.Asio): include it in Connection.cpp and Sockets.cpp only.
 namespace naocal {
 
 using Socket = boost::asio::generic::stream_protocol::socket;
 
-/// Limits of one client.
+/// Limits per client.
 struct ClientLimits {
-  double messagesPerSecond = 1000;       // on average; twice as many at once
-  std::uint32_t maxBodyBytes = 1 << 16;  // [bytes] of one of its frames
-  std::size_t maxPendingBytes = 8 << 20; // [bytes] that wait for a client that does not read
-  /// How long what was sent may stay unconfirmed before the network counts as gone, and with it a client that only does
-  /// not read; 0: as long as the system has patience with the network, and for ever with the client.
+  double messagesPerSecond = 1000;       // average; bursts of twice as many
+  std::uint32_t maxBodyBytes = 1 << 16;  // [bytes] per received frame
+  std::size_t maxPendingBytes = 8 << 20; // [bytes] queued for a client that does not read
+  /// Maximum time that sent data may stay unacknowledged before the connection counts as lost (TCP_USER_TIMEOUT); this
+  /// also ends clients that do not read. 0: system default, no limit for a client that does not read.
   std::chrono::milliseconds unacknowledgedTimeout{0};
 };
 
-/// One client's socket: cuts what it sends into frames, and writes what it is sent without ever waiting for it. Ends at
-/// the first thing that breaks the protocol, with a logged sentence. All on the sockets' thread.
+/// One client's socket: splits received bytes into frames, sends without blocking. Closes on the first protocol
+/// violation and logs a sentence. Runs on the sockets' thread only.
 class Connection final : public Peer {
 public:
   using Ended = std::function<void(Connection&)>;
@@ -34,7 +34,7 @@ public:
   Connection(Socket socket, std::string address, Protocol& protocol, const ClientLimits& limits, Log log, Ended ended);
 
   void start();
-  void end(); // tells the protocol and `ended`, once
+  void end(); // notifies the protocol and calls `ended`, once
 
   std::shared_ptr<Connection> self() { return std::static_pointer_cast<Connection>(shared_from_this()); }
 
@@ -60,10 +60,10 @@ private:
   Ended ended_;
   bool open_ = true;
   std::string header_, body_;
-  std::deque<std::shared_ptr<const std::string>> queue_; // the first is being written
-  std::size_t written_ = 0;                              // of the first [bytes]
+  std::deque<std::shared_ptr<const std::string>> queue_; // the front is being written
+  std::size_t written_ = 0;                              // bytes of the front already written
   std::size_t pendingBytes_ = 0;
-  double allowance_; // messages that it may send at once now
+  double allowance_; // token bucket: messages accepted now
   TimePoint lastMessage_ = Clock::now();
 };
 

@@ -15,11 +15,11 @@ namespace {
 
 using nlohmann::json;
 
-/// A picture that is renewed all the time goes with the values of its own cycle, to which desktops pair it by time; one
-/// that a client has waited for so long goes with any.
+/// An image is sent with the values of its own cycle, because desktops pair them by time; after this time pending, it
+/// is sent with any cycle.
 constexpr std::chrono::seconds patience{1};
 
-constexpr std::size_t mostKeys = 1000; // of one client
+constexpr std::size_t mostKeys = 1000; // per client
 constexpr std::size_t longestKey = 256;
 
 } // namespace
@@ -66,7 +66,7 @@ bool DebugServer::isTrusted(const Peer& peer) const {
 void DebugServer::onReceived(Peer& peer, std::uint8_t type, std::string body) {
   const auto client = clients_.find(peer.weak_from_this());
   if (client == clients_.end()) {
-    return; // it has left
+    return; // the connection has ended
   }
   switch (static_cast<DebugType>(type)) {
   case DebugType::subscribe:

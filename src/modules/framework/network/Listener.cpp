@@ -19,7 +19,7 @@ using Generic = boost::asio::generic::stream_protocol;
 
 namespace {
 
-/// The address of a client without its port; empty for a UNIX socket.
+/// A client's address without port; empty for a UNIX socket.
 std::string addressOf(const Generic::endpoint& endpoint) {
   if (endpoint.protocol().family() == AF_UNIX) {
     return "";
@@ -89,7 +89,7 @@ void Listener::listenUnix(const std::filesystem::path& path) {
     Acceptor& door = open(Generic{endpoint.protocol()});
     auto& acceptor = door.acceptor;
     acceptor.bind(Generic::endpoint{endpoint});
-    ::chmod(path.c_str(), S_IRUSR | S_IWUSR); // before it listens
+    ::chmod(path.c_str(), S_IRUSR | S_IWUSR); // before listen()
     paths_.push_back(path);
     acceptor.listen();
     accept(door);
@@ -109,7 +109,7 @@ void Listener::accept(Acceptor& door) {
     }
     log_(fmt::format("A client could not be accepted: {}.", error.message()));
     door.pause.expires_after(
-        std::chrono::milliseconds{100}); // such as no descriptors left: not again and again at once
+        std::chrono::milliseconds{100}); // limits the retry rate, such as when no descriptors are left
     door.pause.async_wait([this, &door](const error_code& stopped) {
       if (!stopped) {
         accept(door);
@@ -120,8 +120,8 @@ void Listener::accept(Acceptor& door) {
 
 namespace {
 
-/// Has the system notice within some seconds that the other side is out of reach: a client that started the robot may
-/// have left what is to be done then.
+/// Enables TCP keep-alive (2 s idle, 1 s interval, 4 probes): a lost client is detected within about 6 s, so that its
+/// last will is applied.
 void watchNetwork(Socket& socket, std::chrono::milliseconds unconfirmed) {
   const int file = socket.native_handle();
   const auto set = [&](int level, int option, int value) { ::setsockopt(file, level, option, &value, sizeof value); };
@@ -134,10 +134,10 @@ void watchNetwork(Socket& socket, std::chrono::milliseconds unconfirmed) {
   }
 }
 
-/// Has the system take little more than the network does: else a slow client is busy only when the system has taken
-/// megabytes for it, behind which all that is new waits for many seconds.
+/// Limits the unsent data in the kernel's send buffer. Otherwise megabytes queue up there before a slow client counts
+/// as busy, and new data is delayed by many seconds.
 void keepQueueShort(Socket& socket) {
-  const int most = 32 << 10; // [bytes] that are not on their way yet
+  const int most = 32 << 10; // [bytes] not sent yet
   ::setsockopt(socket.native_handle(), IPPROTO_TCP, TCP_NOTSENT_LOWAT, &most, sizeof most);
 }
 

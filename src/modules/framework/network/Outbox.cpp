@@ -45,7 +45,7 @@ void Outbox::onCycleEnd(TimePoint time, const std::vector<AnyProduction*>& produ
   if (report && queue_->reports.push(report.get())) {
     static_cast<void>(report.release());
     const std::uint64_t one = 1;
-    static_cast<void>(!::write(queue_->descriptor, &one, sizeof one)); // a full counter wakes the reader as well
+    static_cast<void>(!::write(queue_->descriptor, &one, sizeof one)); // a saturated counter also wakes the reader
   }
 }
 

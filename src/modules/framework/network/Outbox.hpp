@@ -9,20 +9,20 @@
 
 namespace naocal {
 
-/// What somebody wanted to see of one cycle: copies, not yet text.
+/// The subscribed values of one cycle: copies, not encoded yet.
 struct CycleReport {
   TimePoint time;
   struct Item {
     const AnyProduction* production;
     TimePoint time;
-    std::unique_ptr<const Sample> sample;  // until it is encoded
-    std::optional<EncodedImage> picture{}; // of a picture, once it is encoded
+    std::unique_ptr<const Sample> sample;  // reset by encoding
+    std::optional<EncodedImage> picture{}; // encoded image, if it is one
   };
-  std::vector<Item> items; // in the order of the thread's productions
+  std::vector<Item> items; // same order as the thread's productions
 };
 
-/// Carries reports from one thread's cycle to the sockets' thread. The cycle never waits: when the sockets' thread is
-/// behind by `capacity` reports, the cycle's one is dropped.
+/// Passes reports from a thread's cycle to the sockets' thread through a lock-free queue of 8 reports. The cycle never
+/// waits: if the queue is full, the new report is dropped.
 class Outbox final : public CycleListener {
 public:
   Outbox();
@@ -30,9 +30,9 @@ public:
 
   void onCycleEnd(TimePoint time, const std::vector<AnyProduction*>& productions) override;
 
-  /// Readable (poll) when there are reports.
+  /// File descriptor that polls readable when there are reports.
   int descriptor() const;
-  /// The oldest report; nullptr: none.
+  /// The oldest report; nullptr if there is none.
   std::unique_ptr<CycleReport> take();
 
 private:

@@ -18,7 +18,7 @@
 namespace naocal {
 namespace {
 
-/// An outbox and the descriptor by which it wakes the sockets' thread.
+/// An outbox, and the descriptor that wakes the sockets' thread.
 struct Mailbox {
   Mailbox(boost::asio::io_context& context, DebugServer& debugServer, boost::asio::thread_pool& encoders)
       : server{debugServer}, encoder{encoders}, descriptor{context, ::dup(outbox.descriptor())} {}
@@ -27,7 +27,7 @@ struct Mailbox {
     descriptor.async_wait(boost::asio::posix::stream_descriptor::wait_read, [this](const auto& stopped) {
       if (!stopped) {
         std::uint64_t count = 0;
-        static_cast<void>(!::read(descriptor.native_handle(), &count, sizeof count)); // rests until the next report
+        static_cast<void>(!::read(descriptor.native_handle(), &count, sizeof count)); // resets the counter
         sendNext();
       }
     });
@@ -39,15 +39,15 @@ struct Mailbox {
   boost::asio::posix::stream_descriptor descriptor;
 
 private:
-  /// One report a turn, its pictures encoded by a thread of their own: neither the other cycle's values nor clients
-  /// wait.
+  /// Sends one report per turn. A separate thread encodes its images, so that the values of other threads and clients
+  /// do not wait.
   void sendNext() {
     const std::shared_ptr<CycleReport> report = outbox.take();
     if (!report) {
       return forward();
     }
     const auto send = [this, report] {
-      boost::asio::post(descriptor.get_executor(), [this] { sendNext(); }); // whatever comes of this one
+      boost::asio::post(descriptor.get_executor(), [this] { sendNext(); }); // continues even if `send` throws
       server.send(*report);
     };
     const std::vector<CycleReport::Item*> pictures = server.picturesToEncode(*report);
@@ -58,7 +58,7 @@ private:
       std::exception_ptr failure;
       try {
         for (CycleReport::Item* item : pictures) {
-          const auto sample = std::move(item->sample); // tried once
+          const auto sample = std::move(item->sample); // not retried after a failure
           item->picture = sample->image();
         }
       } catch (...) {
@@ -67,7 +67,7 @@ private:
       boost::asio::post(descriptor.get_executor(), [send, failure] {
         send();
         if (failure) {
-          std::rethrow_exception(failure); // is logged there
+          std::rethrow_exception(failure); // logged in `run`
         }
       });
     });
@@ -160,10 +160,10 @@ struct SocketServers::Implementation {
   DebugServer debug;
   ConfigServer config;
   boost::asio::io_context context{1};
-  boost::asio::thread_pool encoder{1}; // of pictures
+  boost::asio::thread_pool encoder{1}; // encodes images
   Listener debugListener, configListener;
   std::deque<Mailbox> mailboxes;
-  std::uint16_t debugPort = 0, configPort = 0; // 0: not over TCP
+  std::uint16_t debugPort = 0, configPort = 0; // 0: no TCP
   std::filesystem::path unixFolder;
   std::thread thread;
 };

@@ -17,27 +17,27 @@ namespace naocal {
 class Configuration;
 class Thread;
 
-/// Where and to whom the robot's sockets are open.
+/// Addresses, ports and limits of the robot's sockets.
 struct SocketSettings {
   AccessSettings access;
   bool tcp = true;
-  std::uint16_t debugPort = 12441, configPort = 12442; // HULKs' numbers; 0: any that is free
-  std::filesystem::path unixFolder;                    // of the UNIX sockets `debug` and `config`; empty: none
-  std::size_t maxClients = 16;                         // of each server
-  double messagesPerSecond = 1000;                     // of each client
+  std::uint16_t debugPort = 12441, configPort = 12442; // HULKs' ports; 0: any free one
+  std::filesystem::path unixFolder;                    // folder of the UNIX sockets `debug` and `config`; empty: none
+  std::size_t maxClients = 16;                         // per server
+  double messagesPerSecond = 1000;                     // per client
 };
 
-/// Reads the settings from sdk.json (as shipped and as saved; keys as HULKs': network.basePort,
-/// network.enableDebugTCPTransport, local.unixSocketDirectory, to which the head's name is added) and access.json.
-/// Throws ConfigurationError.
+/// Reads sdk.json (shipped and saved layers; HULKs' keys: network.basePort, network.enableDebugTCPTransport,
+/// local.unixSocketDirectory, to which the head's name is appended) and access.json. Throws ConfigurationError.
 SocketSettings readSocketSettings(const ConfigurationFolders& configuration, const std::string& headName);
 
-/// Both servers on a thread of their own, over TCP and UNIX sockets. The threads' cycles only hand over copies of what
-/// clients want to see.
+/// Debug and config server on their own thread, over TCP and UNIX sockets. The cycles of the other threads only copy
+/// subscribed values.
 class SocketServers {
 public:
-  /// Starts to listen. The threads must be wired and not run yet; the configuration must outlive it, and the threads
-  /// must have ended before it. `base`: what timestamps count from. Throws ConfigurationError where it cannot listen.
+  /// Starts to listen. The caller guarantees that the threads are wired and not started, that the configuration
+  /// outlives this object, and that the threads end before it. `base`: origin of timestamps. Throws ConfigurationError
+  /// if it cannot listen.
   SocketServers(const SocketSettings& settings, const std::vector<Thread*>& threads, Configuration& configuration,
                 TimePoint base, Log log);
   ~SocketServers();
@@ -47,7 +47,7 @@ public:
   std::uint16_t debugPort() const;
   std::uint16_t configPort() const;
 
-  /// Where clients find them: the end of a sentence.
+  /// Ports and UNIX socket folder, formatted as the end of a sentence.
   std::string addressText() const;
 
 private:

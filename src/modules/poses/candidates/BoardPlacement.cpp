@@ -72,7 +72,8 @@ Eigen::VectorXd mirrorAngles(const Robot& robot, const Eigen::VectorXd& angles) 
   Eigen::VectorXd result(angles.size());
   for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
     const auto other = robot.jointIndex(otherSide(robot.joints[joint].name));
-    const Eigen::Vector3d image = Eigen::Vector3d{-1, 1, -1}.cwiseProduct(robot.joints[joint].axis); // of a turn
+    // Mirror image of a rotation axis.
+    const Eigen::Vector3d image = Eigen::Vector3d{-1, 1, -1}.cwiseProduct(robot.joints[joint].axis);
     const double sign = other ? image.dot(robot.joints[*other].axis) : 0;
     if (std::abs(std::abs(sign) - 1) > 1e-6) {
       throw InputError{
@@ -86,7 +87,7 @@ Eigen::VectorXd mirrorAngles(const Robot& robot, const Eigen::VectorXd& angles) 
 }
 
 Placement mirrorAngles(const Board& board, double middle) {
-  // The sheet turns the other way; what was its lower edge is then its upper one.
+  // A mirrored sheet has the opposite yaw; its lower edge becomes the upper one.
   Board image = board;
   image.placement->yaw = -board.placement->yaw;
   const Eigen::Vector2d wanted{middleOf(board).x(), 2 * middle - middleOf(board).y()};

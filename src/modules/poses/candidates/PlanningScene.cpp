@@ -14,7 +14,7 @@ namespace naocal {
 
 namespace {
 
-/// All corners of a board, to be projected.
+/// All corners of a board, for projection.
 CornerBlocks allCorners(const Board& board) {
   BoardCorners all{.board = board.id, .ids = std::vector<int>(board.points.size()), .uv = {}};
   std::iota(all.ids.begin(), all.ids.end(), 0);
@@ -65,7 +65,7 @@ PlanningScene::Projection PlanningScene::projection(const Outlook& outlook, Mode
   Projection result;
   result.attitude = outlook.view.cameraFrames(robot_, belief, torsoFromLink);
   if (!outlook.view.project(result.attitude, belief, outlook.corners, result.corners)) {
-    return result; // partly behind the camera: too near to be of use
+    return result; // partly behind the camera: too close to be useful
   }
   const Eigen::Vector3d cameraInBoard = result.attitude.opticalFromBoard.inverse().translation;
   for (std::size_t corner = 0; corner < board.points.size(); ++corner) {
@@ -102,7 +102,7 @@ std::vector<std::size_t> PlanningScene::joints() const {
 
 std::vector<VisibleBoard> PlanningScene::visibleBoards(const ModelState& belief, const LinkPoses& torsoFromLink) const {
   std::vector<VisibleBoard> sights;
-  ModelState own = belief; // each camera has its lens
+  ModelState own = belief; // `projection` writes each camera's intrinsics into it
   for (const Outlook& outlook : outlooks_) {
     Projection seen = projection(outlook, own, torsoFromLink);
     if (!seen.seen.empty()) {
@@ -114,7 +114,7 @@ std::vector<VisibleBoard> PlanningScene::visibleBoards(const ModelState& belief,
 
 namespace {
 
-/// What pixels of the corners seen tell about the picture's six-dimensional motion.
+/// Information of the visible corners about the 6-D motion of the image.
 Eigen::Matrix<double, 6, 6> ofMotion(const ProjectedBlocks& corners, const std::vector<int>& seen) {
   Eigen::Matrix<double, 6, 6> sum = Eigen::Matrix<double, 6, 6>::Zero();
   for (const int corner : seen) {
@@ -141,7 +141,7 @@ Eigen::MatrixXd PlanningScene::information(const ModelState& belief, const LinkP
     if (seen.seen.empty()) {
       continue;
     }
-    std::vector<std::size_t> quantities, unknowns; // what moves the picture, and the unknown behind it
+    std::vector<std::size_t> quantities, unknowns; // model quantities that move the image, and the unknown of each
     const auto add = [&](std::size_t quantity, std::size_t unknown) {
       quantities.push_back(quantity);
       unknowns.push_back(unknown);
@@ -191,7 +191,7 @@ void PlanningScene::addFloorContact(const ModelState& belief, const LinkPoses& t
 }
 
 Eigen::MatrixXd PlanningScene::priorInformation() const {
-  // Offsets are uniform within 6.5 degrees and cameras turned by up to 2; boards lie about where they should.
+  // Offsets are uniform within 6.5 degrees, camera rotations within 2 degrees; board placements are roughly known.
   const double offset = radians(6.5) / std::sqrt(3.0), mount = radians(2) / std::sqrt(3.0); // [rad]
   constexpr double board = 0.1;                                                             // [m] and [rad]
   const auto offsets = eigenIndex(robot_.joints.size()), mounts = eigenIndex(3 * robot_.cameras.size());

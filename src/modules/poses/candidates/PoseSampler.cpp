@@ -16,9 +16,9 @@ namespace naocal {
 
 namespace {
 
-constexpr std::size_t chunk = 5000; // attitudes
+constexpr std::size_t chunk = 5000; // samples per chunk
 
-/// J^T (R + J_t s^2 J_t^T)^-1 J of J^T R^-1 J, by Woodbury: an offset and the deflections of its joint have the same
+/// J^T (R + J_t s^2 J_t^T)^-1 J from J^T R^-1 J, by Woodbury: an offset and the deflections of its joint have the same
 /// columns.
 Eigen::MatrixXd whitenColumns(const Eigen::MatrixXd& gram, Eigen::Index joints, const Noise& noise) {
   const double deflection = noise.encoder * noise.encoder + noise.pose * noise.pose;
@@ -64,7 +64,7 @@ std::vector<Eigen::MatrixXd> computeInformation(const Robot& robot, const Planni
   std::vector<Eigen::MatrixXd> result(poses.size());
   parallelFor(poses.size(), [&](std::size_t i) {
     const auto joints = static_cast<Eigen::Index>(robot.joints.size());
-    ModelState belief = scene.nominalState(); // the boards may lie elsewhere than when the pose was drawn
+    ModelState belief = scene.nominalState(); // the boards may have moved since the pose was sampled
     belief.values.head(joints) = poses[i].belief.values.head(joints);
     result[i] = whitenColumns(scene.information(belief, forwardKinematics(robot, belief), noise.pixel), joints, noise);
   });

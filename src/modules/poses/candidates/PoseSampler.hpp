@@ -13,36 +13,37 @@
 
 namespace naocal {
 
-/// How a robot stands.
+/// A valid standing pose.
 struct ValidPose {
   ModelState belief;
-  std::vector<double> point; // where in the ranges it was drawn from, one number in [0, 1] per range
-  double standing = 0;       // share of robots with joint errors that stand so
+  std::vector<double> point; // coordinates in the sampling ranges, each in [0, 1]
+  double standing = 0;       // fraction of robots with joint errors that stay balanced
   Eigen::VectorXd approach;  // per joint as in ProposedPose; empty: any
 };
 
-/// Draws attitudes of a standing robot from the ranges of PoseOptions, and sieves them.
+/// Samples standing poses from the ranges of PoseOptions and filters them.
 class PoseSampler {
 public:
-  /// `first`: where in the sequence of attitudes to begin.
+  /// `first`: index in the sample sequence to start from.
   PoseSampler(const Robot& robot, const PlanningScene& scene, const PoseOptions& options, std::size_t first = 0);
 
-  /// One attempt; absent when anything is wrong with it, which `sieve` counts.
+  /// One sample; absent if a test rejects it, as counted in `sieve`.
   std::optional<ValidPose> draw(PassCounts& sieve);
 
-  /// The attitude at a point of the ranges, with no other glance than that.
+  /// The pose at a point of the ranges, without alternative head directions.
   std::optional<ValidPose> sampleAt(const std::vector<double>& point, PassCounts& sieve);
 
-  /// The robot at a point of the ranges, whether or not it stands there; absent where its legs do not reach it.
+  /// The state at a point of the ranges, without tests of balance; absent if out of reach or beyond joint limits.
   std::optional<ModelState> stateAt(const std::vector<double>& point);
 
 private:
   std::optional<ValidPose> attempt(int glances, PassCounts& sieve);
-  /// Head: as drawn, else anywhere, until a board is in sight of the robot, which must remain stable.
+  /// Turns the head, first as sampled, then at random up to `glances` - 1 times, until a board is visible and the robot
+  /// is stable.
   bool lookAround(ValidPose& attitude, int glances);
   void turnHead(ModelState& belief, const NumberSource& draw) const;
 
-  double from(const Interval& interval); // by the next number of the point
+  double from(const Interval& interval); // scales the next coordinate to the interval
 
   const Robot& robot_;
   const PlanningScene& scene_;
@@ -51,61 +52,61 @@ private:
   std::vector<std::size_t> head_; // joints between the root and the cameras
   ModelState hanging_;            // all joints at rest
   std::unique_ptr<UnitCubeSampler> points_;
-  std::vector<double> point_; // one number per range, the head's at the end
-  std::size_t used_ = 0;      // of it
-  std::mt19937_64 random_;    // robots with errors, and further glances
+  std::vector<double> point_; // one coordinate per range, the head's last
+  std::size_t used_ = 0;      // coordinates used so far
+  std::mt19937_64 random_;    // for robots with joint errors and further head directions
 };
 
-/// Valid poses, and how many attitudes it took.
+/// Valid poses and the counts of the filters.
 struct PoseCandidates {
   std::vector<ValidPose> attitudes;
   PassCounts sieve;
 };
 
-/// Sieves `options.maxAttempts` attitudes on all cores. The same options give the same candidates on any number of cores.
-/// `progress` is told how many were tried, now and then, by one thread at a time.
+/// Filters `options.maxAttempts` samples on all cores. Reproducible by seed for any number of cores. Calls `progress`
+/// with the number of samples done, from one thread at a time.
 PoseCandidates samplePoses(const Robot& robot, const PlanningScene& scene, const PoseOptions& options,
                            const std::function<void(std::size_t)>& progress = {});
 
-/// What each pose tells about the scene's unknowns (Scene::information), one picture of each camera: pixel noise, and
-/// each joint's encoder error and scatter, which moves all corners of a pose together, integrated out.
+/// Each pose's information about the scene's unknowns (PlanningScene::information), for one image per camera: includes
+/// pixel noise, and marginalises each joint's encoder error and joint scatter, which move all corners of a pose
+/// together.
 std::vector<Eigen::MatrixXd> computeInformation(const Robot& robot, const PlanningScene& scene,
                                                 const std::vector<ValidPose>& poses, const Noise& noise);
 
-/// A pose in which the robot stands on one foot and sees a board.
+/// A pose in which the robot stands and sees a board.
 struct PlannedPose {
   SupportFoot supportFoot = SupportFoot::left;
-  Eigen::VectorXd angles;           // to be sent, one per joint of the drawing [rad]
-  std::vector<VisibleBoard> sights; // by the drawn robot
+  Eigen::VectorXd angles;           // motor command without offsets, per joint of the drawing [rad]
+  std::vector<VisibleBoard> sights; // for the drawn robot
 };
 
-/// A pose to be taken next.
+/// A planned pose and its approach.
 struct ProposedPose {
-  PlannedPose pose;         // its sights: as the fitted model predicts them
-  Eigen::VectorXd approach; // per joint: the motion that ends in the pose, -1 from above, +1 from below
+  PlannedPose pose;         // sights: predicted by the fitted model
+  Eigen::VectorXd approach; // per joint: direction of the final motion, -1 from above, +1 from below
 };
 
-/// The first `count` attitudes that the draw finds acceptable (PoseOptions, PoseSampler), in the scene's terms;
-/// fewer where `options.maxAttempts` do not suffice.
+/// The first `count` valid poses (PoseOptions, PoseSampler) as states of the scene; fewer if `options.maxAttempts`
+/// samples do not suffice.
 std::vector<ModelState> sampleStableStates(const Robot& robot, const PlanningScene& scene, const PoseOptions& options,
                                            std::size_t count);
 
-/// Poses on one foot for boards around it (placements in the support sole's frame), arms hanging: within joint limits,
-/// stable, the soles apart, a board in sight. Each is the most informative one beside those before it: greedily the
-/// largest determinant of the information about offsets, cameras and boards. The same seed gives the same poses.
+/// Plans poses on one foot for boards around it (placements in the support sole's frame), arms hanging: within joint
+/// limits, stable, soles apart, a board visible, without self-collision. Selection is greedy and D-optimal: each pose
+/// maximises the determinant of the information about offsets, cameras and boards. Reproducible by seed.
 ///
-/// No part touches another; what hides a board is not looked at. Throws InputError when fewer than `count` are
-/// found.
+/// Occlusion of boards is not tested. Throws InputError if fewer than `count` are found.
 std::vector<PlannedPose> planInformativePoses(const Robot& robot, const std::vector<Board>& boards,
                                               const std::map<std::string, CameraIntrinsics>& cameras,
                                               const PoseOptions& options);
 
-/// Errors per joint of robots whose motors are off, uniform within Stability::jointError either way [rad]; each
-/// `number` gives others.
+/// Draws joint errors of robots, uniform within +-BalanceRequirement::jointError [rad], equal for joints of one motor;
+/// each `number` gives another sample.
 std::vector<Eigen::VectorXd> drawPerturbedRobots(const Robot& robot, const PoseOptions& options, std::size_t count,
                                                  std::uint64_t number);
 
-/// How a robot with errors stands when the poses are commanded.
+/// Poses taken by a robot with joint errors: adds `errors` to the commanded angles.
 std::vector<ValidPose> applyErrors(const Eigen::VectorXd& errors, std::vector<ValidPose> poses);
 
 } // namespace naocal

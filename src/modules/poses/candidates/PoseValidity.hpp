@@ -9,19 +9,19 @@
 
 namespace naocal {
 
-/// What makes a standing pose a safe one.
+/// Safety tests of standing poses.
 class PoseValidity {
 public:
   PoseValidity(const Robot& robot, const PoseOptions& options);
 
-  /// With the margin for unknown offsets.
+  /// Whether joints are within limits, with PoseOptions::limitMargin.
   bool isWithinLimits(const ModelState& belief, std::span<const std::size_t> joints) const;
 
-  /// Parts touch, or one foot is over the other: seen from above, a lifted foot would strike the other one's ankle.
+  /// Whether parts touch or the feet overlap seen from above: a lifted foot would strike the other ankle.
   bool selfCollides(const LinkPoses& torsoFromLink) const;
 
-  /// The share of robots with joint errors that stand so; absent where it is too small or the robot as drawn has not
-  /// the wanted footing.
+  /// Fraction of robots with joint errors that stay balanced; absent if it is too small or the drawn robot lacks the
+  /// required footing.
   std::optional<double> balancedFraction(const ModelState& belief, const LinkPoses& torsoFromLink,
                                          std::mt19937_64& random) const;
 

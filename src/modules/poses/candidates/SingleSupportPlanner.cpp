@@ -16,7 +16,7 @@ PoseOptions onFoot(SupportFoot foot, double jointError) {
   return options;
 }
 
-/// Legs and head: what is between a sole and a camera.
+/// Joints between a sole and a camera: legs and head.
 bool isCalibrated(const std::string& joint) {
   return joint.starts_with("Head") || joint.find("Hip") != std::string::npos ||
          joint.find("Knee") != std::string::npos || joint.find("Ankle") != std::string::npos;
@@ -77,7 +77,7 @@ std::optional<SingleSupportPlanner::Approach> SingleSupportPlanner::planApproach
 }
 
 bool ReachabilityCheck::operator()(const ProposedPose& pose) {
-  constexpr double aside = radians(1); // where an approach begins, as robots are configured
+  constexpr double aside = radians(1); // distance of the approach, as in the robots' configuration
   const SupportFoot foot = pose.pose.supportFoot;
   if (foot != SupportFoot::left && foot != SupportFoot::right) {
     return true;

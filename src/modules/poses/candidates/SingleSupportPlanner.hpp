@@ -8,23 +8,23 @@
 
 namespace naocal {
 
-/// Ways of a robot on one foot, all from standing upright on it, so that poses can be taken in any order: 97 of 100
-/// robots with joint errors stand all along, and no part touches another.
+/// Plans ways of a robot on one foot, all starting upright on it, so that poses can be taken in any order. Along each
+/// way at least 97 % of robots with joint errors stay balanced, without self-collision.
 class SingleSupportPlanner {
 public:
-  /// `stand`: on both feet [rad]; `jointError`: as of Stability [rad].
+  /// `stand`: on both feet [rad]; `jointError`: as in BalanceRequirement [rad].
   SingleSupportPlanner(const Robot& robot, SupportFoot foot, const Eigen::VectorXd& stand, double jointError);
 
-  /// From the stand onto the foot (planOntoOneFoot).
+  /// The way from the stand onto the foot (planOntoOneFoot).
   const std::vector<Eigen::VectorXd>& pathOnto() const { return onto_; }
 
-  using Way = std::vector<Eigen::VectorXd>; // angles to pass through, the last ones where it leads [rad]
+  using Way = std::vector<Eigen::VectorXd>; // waypoints, target last [rad]
   struct Approach {
-    Eigen::VectorXd side; // per joint: which way it turns into the pose, -1 or +1; 0: one that is not calibrated
-    Way way;              // from standing upright to where the approach begins
+    Eigen::VectorXd side; // per joint: direction of the final motion, -1 or +1; 0: joint that is not calibrated
+    Way way;              // from upright to the start of the approach
   };
-  /// Into a pose from `distance` beside it [rad], from where one can go on as far beyond it: each joint from the side
-  /// that is wanted (-1 or +1; 0: drawn at random). Absent where no safe way was found.
+  /// Plans the approach to a pose from `distance` beside it [rad], with as much safe range beyond it: each joint from
+  /// the `wanted` side (-1 or +1; 0: random). Absent if no safe way is found.
   std::optional<Approach> planApproach(const Eigen::VectorXd& angles, const Eigen::VectorXd& wanted, double distance,
                                        std::mt19937_64& random) const;
 
@@ -38,11 +38,11 @@ private:
   std::vector<Eigen::VectorXd> onto_;
 };
 
-/// Whether poses on one foot can be reached from standing upright on it, each joint from the side that is wanted, as
-/// robots reach them (SingleSupportPlanner). Of poses on both feet nothing is asked.
+/// Tests whether a pose on one foot can be reached from standing upright on it, each joint from the wanted side
+/// (SingleSupportPlanner). Poses on both feet always pass.
 class ReachabilityCheck {
 public:
-  /// `jointError`: as of Stability [rad].
+  /// `jointError`: as in BalanceRequirement [rad].
   ReachabilityCheck(const Robot& robot, double jointError) : robot_{robot}, jointError_{jointError} {}
 
   bool operator()(const ProposedPose& pose);

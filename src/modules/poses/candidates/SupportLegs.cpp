@@ -23,7 +23,7 @@ SingleSupport::SingleSupport(const Robot& robot, SupportFoot supportFoot)
 bool SingleSupport::reachStance(ModelState& belief, RigidTransform soleFromTorso, const RigidTransform& soleFromOther,
                                 const Eigen::Vector2d& centre) const {
   soleFromTorso.translation.head<2>() = centre;
-  constexpr int rounds = 3; // each leaves a small share of the distance
+  constexpr int rounds = 3; // converges quickly
   for (int round = 0; round < rounds; ++round) {
     if (!bendLegs(belief, soleFromTorso, soleFromOther)) {
       return false;
@@ -63,15 +63,15 @@ Eigen::VectorXd bentKneesStance(const Robot& robot) {
 std::vector<Eigen::VectorXd> planOntoOneFoot(const Robot& robot, SupportFoot supportFoot,
                                              const Eigen::VectorXd& stand) {
   struct Point {
-    double shift;       // share of the way over the foot
-    double height;      // of the torso over the sole [m]
-    double lift;        // of the other sole from the floor [m]
+    double shift;       // fraction of the shift onto the foot
+    double height;      // of the torso above the sole [m]
+    double lift;        // of the other sole above the floor [m]
     double roll, pitch; // of the torso, outwards and forwards [rad]
   };
-  // of 58 simulated robots with joints off by 5 degrees that nobody holds, one or seven (left, right foot) fall on it
+  // of 58 simulated robots with joint errors of 5 degrees, unheld, 1 (left foot) and 7 (right foot) fall on this way
   constexpr std::array points{Point{0.5, 0.30, 0, 0.15, 0.15}, Point{1, 0.30, 0, 0.25, 0.2},
                               Point{1.1, 0.31, 0.02, 0.3, 0.2}, Point{1, 0.31, 0.04, 0.3, 0.3}};
-  constexpr double forwards = 0.025; // the centre of mass, from the sole's origin [m]
+  constexpr double forwards = 0.025; // centre of mass from the sole's origin [m]
   const SingleSupport feet{robot, supportFoot};
   const double inwards = supportFoot == SupportFoot::left ? -1 : 1;
   const Eigen::Vector2d over{forwards, feet.outlineCentre().y()}, between{forwards, inwards * footDistance / 2};
@@ -144,7 +144,7 @@ bool StanceSampler::reachStance(ModelState& belief, const NumberSource& draw) co
 }
 
 bool StanceSampler::bendOnOne(ModelState& belief, const NumberSource& draw) const {
-  const double outwards = options_.supportFoot == SupportFoot::left ? 1 : -1; // the support foot's outer side
+  const double outwards = options_.supportFoot == SupportFoot::left ? 1 : -1; // sign of the support foot's outer side
   RigidTransform soleFromTorso;
   soleFromTorso.rotation = rotationZ(draw(options_.yaw)) * rotationY(draw(options_.pitch));
   soleFromTorso.rotation *= rotationX(draw(options_.roll));
@@ -161,8 +161,8 @@ bool StanceSampler::bendOnOne(ModelState& belief, const NumberSource& draw) cons
   return feet_.reachStance(belief, soleFromTorso, soleFromOther, wanted);
 }
 
-/// One motor turns both hips, in opposite directions: the torso's yaw is sought by secants at which either leg wants it
-/// to turn by as much.
+/// One motor turns both hips, in opposite directions: solves for the torso yaw at which both legs need the same hip
+/// angle, by the secant method.
 bool StanceSampler::bendOnBoth(ModelState& belief, const NumberSource& draw) const {
   const DoubleSupportRanges& beside = options_.beside;
   RigidTransform soleFromOther;
@@ -182,7 +182,7 @@ bool StanceSampler::bendOnBoth(ModelState& belief, const NumberSource& draw) con
 
   constexpr int leaning = 4, rounds = 12;
   constexpr double alike = 1e-10;     // [rad]
-  double slope = -2 * std::sqrt(2.0); // of the gap by the yaw, for an upright torso
+  double slope = -2 * std::sqrt(2.0); // d gap / d yaw for an upright torso
   double yaw = otherYaw / 2, lastYaw = 0, lastGap = 0;
   for (int round = 0; round < rounds; ++round) {
     soleFromTorso.rotation = rotationZ(yaw) * tilted;

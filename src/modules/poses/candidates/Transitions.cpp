@@ -33,7 +33,7 @@ std::vector<std::size_t> nearestNext(const Ways& seconds) {
   return order;
 }
 
-/// Held and Karp (1962): the quickest way through each set of poses to each of its members.
+/// Held and Karp (1962): the quickest path through each subset of poses ending at each member.
 std::vector<std::size_t> byDynamicProgramming(const Ways& seconds) {
   const std::size_t count = seconds.size(), sets = std::size_t{1} << count;
   std::vector<std::vector<double>> shortest(sets, std::vector<double>(count, never));
@@ -107,7 +107,7 @@ std::optional<double> TransitionCheck::duration(const Eigen::VectorXd& from, con
   return motionTime(robot_, from, to, motion_.speed);
 }
 
-/// On both feet: whether a corner of the other sole comes to lie elsewhere, seen from the support sole.
+/// On both feet: whether a corner of the other sole moves by more than `slip` relative to the support sole.
 bool TransitionCheck::isSliding(const LinkPoses& before, const LinkPoses& now) const {
   if (options_.supportFoot != SupportFoot::both) {
     return false;

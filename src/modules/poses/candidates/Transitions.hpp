@@ -8,27 +8,27 @@
 
 namespace naocal {
 
-/// How a robot goes from pose to pose: all joints start and arrive together, the one with the longest way at `speed`, a
-/// share of its full speed.
+/// Motion between poses: all joints start and stop together; the slowest joint moves at `speed`, a fraction of its
+/// maximum speed.
 struct TransitionOptions {
-  double share = 0.97; // of robots with joint errors that must stand all along
-  double speed = 0.15; // a robot on one foot moves slowly
-  double step = 0.03;  // at most this far between checks, of the joint that moves most [rad]
-  double slip = 0.003; // on both feet: of a corner of the other sole, that gears and soles may give way [m]
+  double share = 0.97; // fraction of robots with joint errors that must stay balanced throughout
+  double speed = 0.15; // of the maximum; low, for a robot on one foot
+  double step = 0.03;  // largest change of a joint between checks [rad]
+  double slip = 0.003; // on both feet: largest motion of a corner of the other sole, absorbed by gears and soles [m]
 };
 
-/// From one pose to another (angles per joint), the slowest joint at a share `speed` of its full one [s].
+/// Duration of a motion between poses (angles per joint), the slowest joint at the fraction `speed` of its maximum [s].
 double motionTime(const Robot& robot, const Eigen::VectorXd& from, const Eigen::VectorXd& to, double speed);
 
-/// Looks at the way between poses.
+/// Safety test of straight motions between poses.
 class TransitionCheck {
 public:
   TransitionCheck(const Robot& robot, const PoseOptions& options, const TransitionOptions& motion = {});
   TransitionCheck(const TransitionCheck&) = delete;
   TransitionCheck& operator=(const TransitionCheck&) = delete;
 
-  /// Of the motion from one to the other; absent where the robot, or too many of those with joint errors, would fall
-  /// over or touch itself on the way, or a foot of both would slide.
+  /// Duration of the motion [s]; absent if the robot, or too many of those with joint errors, would fall or touch
+  /// itself, or if a foot would slide on both feet.
   std::optional<double> duration(const Eigen::VectorXd& from, const Eigen::VectorXd& to) const;
 
 private:
@@ -36,37 +36,37 @@ private:
 
   const Robot& robot_;
   TransitionOptions motion_;
-  PoseOptions options_; // on the way
+  PoseOptions options_; // tolerances on the way
   PoseValidity checks_;
 };
 
-/// The quickest order to visit all poses, one after another: exact for up to 12 poses, else always the nearest next.
-/// `seconds[i][j]`: from i to j, absent where there is no way. Absent: there is no such order.
+/// The quickest order of all poses: exact for up to 12 poses, otherwise nearest neighbour. `seconds[i][j]`: from i to
+/// j, absent if there is no way. Absent if no order exists.
 std::optional<std::vector<std::size_t>>
 findQuickestOrder(const std::vector<std::vector<std::optional<double>>>& seconds);
 
-/// Straight on from pose to pose in the quickest order, and a rest in each [s]; whether the ways are safe is not looked
-/// at.
+/// Duration of straight motions in the quickest order, plus a rest in each pose [s]; does not test whether the ways are
+/// safe.
 double playTime(const Robot& robot, const std::vector<ValidPose>& poses, double secondsPerPose);
 
-/// A safe way from one pose to another.
+/// A safe way between two poses.
 struct Transition {
-  std::vector<Eigen::VectorXd> via; // angles to pass through on the way, none: straight on [rad]
+  std::vector<Eigen::VectorXd> via; // waypoints, empty: direct [rad]
   double seconds = 0;
 };
 
-/// Straight on where that is safe; else along the line between the poses' points in the ranges that they were drawn
-/// from, which keeps the centre of mass over the foot. Absent: neither is safe.
+/// Direct motion if safe; otherwise along the line between the poses' points in the sampling ranges, which keeps the
+/// centre of mass above the foot. Absent if neither is safe.
 std::optional<Transition> findTransition(const Robot& robot, const PlanningScene& scene, const PoseOptions& options,
                                          const TransitionCheck& checks, const ValidPose& from, const ValidPose& to);
 
-/// Poses in the quickest safe order, and the way to each from the one before it; absent: the first, or none is safe.
+/// Poses in the quickest safe order, and the way to each from the previous one; absent: first pose, or no safe way.
 struct OrderedPoses {
   std::vector<ValidPose> poses;
   std::vector<std::optional<Transition>> ways;
 };
 
-/// Where there is no safe way through all of them the order is as given.
+/// Keeps the given order if there is no safe way through all poses.
 OrderedPoses orderPoses(const Robot& robot, const PlanningScene& scene, const PoseOptions& options,
                         std::vector<ValidPose> poses);
 

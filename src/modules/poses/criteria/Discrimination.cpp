@@ -71,7 +71,7 @@ double Discrimination::expectedGain(const Eigen::VectorXd& before, const Eigen::
 }
 
 double Discrimination::growthFactor(const Eigen::VectorXd& before, const Eigen::VectorXd& after) const {
-  constexpr double nothing = 1e-3; // a misfit that no one could see
+  constexpr double nothing = 1e-3; // undetectable misfit; avoids log(0)
   double sum = 0;
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
     sum += pairs_[i].weight * std::log((after[eigenIndex(i)] + nothing) / (before[eigenIndex(i)] + nothing));
@@ -81,10 +81,10 @@ double Discrimination::growthFactor(const Eigen::VectorXd& before, const Eigen::
 
 namespace {
 
-/// More are not worth the time.
+/// limits the computing time
 constexpr std::size_t mostSuspects = 8;
 
-/// The likeliest of these, their evidence turned into odds.
+/// Adds the most likely suspects and converts their evidence to odds.
 void suspect(std::vector<Hypothesis> suspects, std::vector<double> evidence, ModelAmbiguity& question) {
   std::vector<std::size_t> order(suspects.size());
   for (std::size_t i = 0; i < order.size(); ++i) {
@@ -103,7 +103,7 @@ void suspect(std::vector<Hypothesis> suspects, std::vector<double> evidence, Mod
   }
 }
 
-/// "a, b and c", from the suspect `first` on: three of them by name.
+/// "a, b and c", from the suspect `first` on; names at most three.
 std::string nameHypotheses(const std::vector<Hypothesis>& suspects, std::size_t first) {
   constexpr std::size_t most = 3;
   std::vector<std::string> words;
@@ -116,7 +116,8 @@ std::string nameHypotheses(const std::vector<Hypothesis>& suspects, std::size_t 
   return joinWords(words);
 }
 
-/// False: its only twins are in the model as well.
+/// Fills `question`: which member of the head's equivalence class is present. False if all its alternatives are
+/// already in the model.
 bool askWhichOne(const Diagnosis& diagnosis, const CandidateFinding& head, ModelAmbiguity& question) {
   std::vector<Hypothesis> suspects;
   std::vector<double> evidence;
@@ -139,7 +140,7 @@ bool askWhichOne(const Diagnosis& diagnosis, const CandidateFinding& head, Model
   return true;
 }
 
-/// The curve that the misfit follows, as an effect of its own, against the best of the catalogue.
+/// Fills `question`: whether the unexplained curve, as a custom effect, or its best rival in the catalogue is present.
 void askAboutCurve(const Diagnosis& diagnosis, const Robot& robot, ModelAmbiguity& question) {
   const DriverCurve& curve = diagnosis.driverCurves.front();
   const auto rival = std::find_if(diagnosis.ranking.begin(), diagnosis.ranking.end(), [&](const auto& finding) {
@@ -169,7 +170,7 @@ void askWhether(const Diagnosis& diagnosis, CandidateState state, ModelAmbiguity
   constexpr std::size_t few = 3;
   std::vector<Hypothesis> suspects;
   std::vector<double> evidence;
-  for (const CandidateFinding& finding : diagnosis.ranking) { // the strongest come first
+  for (const CandidateFinding& finding : diagnosis.ranking) { // strongest first
     if (finding.state == state && suspects.size() < few) {
       const Eigen::VectorXd plausible = finding.term.sigmas();
       suspects.push_back({finding.term.label(), plausible, plausible});

@@ -25,7 +25,7 @@ EffectPairCriterion::EffectPairCriterion(const Robot& robot, const std::vector<B
   }
 }
 
-/// One picture of each camera in each pose, the robot standing at a known place; corners' pixels do not matter.
+/// One image per camera and pose, at a known stance; corner coordinates are irrelevant.
 CaptureSet EffectPairCriterion::captures(const std::vector<ValidPose>& poses) const {
   CaptureSet set{.name = "plan", .model = robot_.model, .cameras = cameras_, .boards = boards_};
   set.stances = {{0, options_.poses.supportFoot, Placement{}}};
@@ -68,7 +68,7 @@ EffectPairCriterion::Told EffectPairCriterion::tellApart(const std::vector<Valid
   Told result{static_cast<Eigen::Index>(own.unknownCount()), {}, false, {}, {}};
   result.question.rivals = true;
   result.question.effects = allEffects();
-  const Model named = buildModel(measurements, options_.effects, without); // says what is wrong with them
+  const Model named = buildModel(measurements, options_.effects, without); // throws for invalid effects
   const auto isAsked = [&](const Term& term) {
     return std::any_of(options_.effects.begin(), options_.effects.end(), [&](const std::string& given) {
       return given == term.label() ||
@@ -87,7 +87,7 @@ EffectPairCriterion::Told EffectPairCriterion::tellApart(const std::vector<Valid
   const Residuals residuals{measurements, model, options_.noise};
   const Eigen::VectorXd asDrawn = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(model.unknownCount()));
   const auto linear =
-      residuals.linearise(residuals.startState(asDrawn)).value(); // what is in sight lies before the camera
+      residuals.linearise(residuals.startState(asDrawn)).value(); // visible corners are in front of the camera
   std::map<std::string, std::size_t> numbers;
   for (std::size_t i = 0; i < poses.size(); ++i) {
     numbers[plannedPoseName(i)] = i;

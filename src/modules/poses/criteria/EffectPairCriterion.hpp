@@ -6,29 +6,29 @@
 
 namespace naocal {
 
-/// How well poses tell which of two effects a robot has (PlanOptions::effects), by Discrimination: captures in these
-/// poses by the measurement model, linearised at the drawing; offsets, camera mounts and boards are unknown along with
-/// the effects, which are as large as they plausibly may be, and of even odds.
+/// Evaluates how well poses distinguish the two PlanOptions::effects, by Discrimination: simulated captures, linearised
+/// at the drawing. Offsets, camera mounts and boards are unknown; the effects have their plausible sizes and equal
+/// odds.
 class EffectPairCriterion {
 public:
   EffectPairCriterion(const Robot& robot, const std::vector<Board>& boards,
                       const std::map<std::string, CameraIntrinsics>& cameras, const PlanOptions& options);
 
-  /// Greedily and by exchange, the poses after which the misfits of the wrong effect are largest (the mean of their
-  /// logarithms), beside those that are `kept`. Where an effect looks at it each pose gets the approach that it is to
-  /// be taken with. Throws InputError where the effects are not two, or have no place in such captures.
+  /// Selects greedily and by exchange the poses that maximise the misfits of the wrong effect (mean of the logarithms),
+  /// given `kept`. If an effect depends on the approach, each pose gets its best approach. Throws InputError unless
+  /// there are two effects that such captures can test.
   std::vector<ValidPose> selectPoses(const std::vector<ValidPose>& kept, const std::vector<ValidPose>& candidates,
                                      std::size_t count) const;
 
-  /// By how much chi2 the wrong one fits worse after these poses; the smaller of both.
+  /// Misfit (chi2) of the wrong effect after these poses; the smaller of both.
   double misfit(const std::vector<ValidPose>& kept, const std::vector<ValidPose>& poses) const;
 
 private:
-  /// What captures tell about the model's own unknowns and the effects' behind them.
+  /// Information about the model's own unknowns, followed by those of the effects.
   struct Told {
     Eigen::Index own;
     ModelAmbiguity question;
-    bool byApproach; // an effect looks at it
+    bool byApproach; // an effect depends on the approach
     Eigen::MatrixXd prior;
     std::vector<Eigen::MatrixXd> poses;
   };

@@ -11,27 +11,27 @@
 
 namespace naocal {
 
-/// What to plan poses and boards for.
+/// Settings of pose planning.
 struct PlanOptions {
-  PoseOptions poses; // count: to select; tries: candidates
+  PoseOptions poses; // count: poses to select; maxAttempts: samples
   Criterion criterion = Criterion::worst;
-  std::map<std::string, double> weights; // of joints and cameras in the thesis's criterion, 1 where it has none
-  bool compare = false;                  // all criteria on the same candidates
+  std::map<std::string, double> weights; // of joints and cameras in the thesis's criterion; default 1
+  bool compare = false;                  // evaluates all criteria on the same candidates
   Noise noise;
-  std::vector<std::string> effects; // two labels, that `discriminate` tells apart
-  std::size_t perturbedRobots = 0;  // with joint errors, for which poses and boards are judged besides
-  bool known = false;               // cameras and boards: their places are not to be estimated
-  bool moveBoards = true;           // else they lie where they are given
-  bool mirrored = false;            // boards lie symmetrically to the middle between the feet, for both feet's poses
-  double sigma = radians(0.2);      // that `time` must reach [rad]
-  double secondsPerPose = 1;        // to come to rest and take pictures [s]
-  std::vector<Eigen::VectorXd> kept = {}; // angles of poses that are taken besides [rad]
-  double farthestBoard = 1.3;             // middle of a board from the support sole [m]
-  double gap = 0.02;                      // between boards, and from the robot's feet [m]
-  std::size_t maxCandidates = 2000;       // candidates at most that are selected from, evenly among those found
-  std::size_t starts = 4;                 // plans that are begun in different ways and refined; the best goes on
-  std::size_t rounds = 3;                 // of refining poses and boards twice, the first for every start
-  std::size_t refinements = 1000;         // tries per pose and per board in a round
+  std::vector<std::string> effects; // two labels, for `discriminate`
+  std::size_t perturbedRobots = 0;  // robots with joint errors included in the objective
+  bool known = false;               // camera mounts and board placements are known
+  bool moveBoards = true;           // optimises board placements
+  bool mirrored = false;       // boards symmetric about the midline between the feet, for poses on both feet in turn
+  double sigma = radians(0.2); // target of `time` [rad]
+  double secondsPerPose = 1;   // rest and imaging [s]
+  std::vector<Eigen::VectorXd> kept = {}; // angles of poses taken in addition [rad]
+  double farthestBoard = 1.3;             // distance of a board's centre from the support sole [m]
+  double gap = 0.02;                      // between boards, and between boards and feet [m]
+  std::size_t maxCandidates = 2000;       // limit of candidates for selection, evenly spaced among those found
+  std::size_t starts = 4;                 // initial selections that are refined; the best one continues
+  std::size_t rounds = 3;                 // refinement rounds of poses and boards; the first applies to every start
+  std::size_t refinements = 1000;         // attempts per pose and per board in a round
 };
 
 } // namespace naocal

@@ -34,10 +34,10 @@ bool dependsOnApproach(const Model& model) {
 
 namespace {
 
-/// Of the fitted robot: half of what is asked of the drawn one, for what the fit does not know.
+/// Footing of the fitted robot: half of the drawn robot's, for the uncertainty of the fit.
 constexpr SupportMargin fittedFooting{0.01, 0.01};
 
-/// In the order of the set's joints; 0 for those that the drawing does not hold (fingers).
+/// In the order of the set's joints; 0 for joints not in the drawing (hands).
 std::vector<double> listAngles(const CaptureSet& set, const Robot& robot, const Eigen::VectorXd& perJoint) {
   std::vector<double> result;
   for (const std::string& name : set.jointNames) {
@@ -47,7 +47,7 @@ std::vector<double> listAngles(const CaptureSet& set, const Robot& robot, const 
   return result;
 }
 
-/// As the set's last capture, but for what the pose changes.
+/// The set's last capture, changed to a planned pose.
 Capture plannedCapture(const CaptureSet& set, const Robot& robot, const ProposedPose& planned) {
   const Capture& last = set.captures.back();
   Capture capture;
@@ -123,7 +123,7 @@ std::vector<ProposedPose> filterFeasible(const FittedModel& fitted, const std::v
     scenes.try_emplace(here.supportFoot, robot, here.supportFoot, here.boards, measurements.sets->back().cameras,
                        VisibilityLimits{});
   }
-  std::map<std::size_t, ImageObservation> pictures; // per camera in use, the last one: only its angles will change
+  std::map<std::size_t, ImageObservation> pictures; // last image per camera; only its angles are changed
   for (const ImageObservation& picture : measurements.pictures) {
     pictures.insert_or_assign(picture.camera, picture);
   }
@@ -156,8 +156,7 @@ std::vector<ProposedPose> filterFeasible(const FittedModel& fitted, const std::v
 
 namespace {
 
-/// The fit's unknowns in the order of a model of the same captures and planned ones; the robot stands anew where it
-/// stood last.
+/// The fit's unknowns, mapped to the extended model; new stances are at the last stance's place.
 Eigen::VectorXd extendUnknowns(const FittedModel& fitted, const Measurements& extended, const Model& model,
                                const std::vector<LocalScene>& around) {
   Eigen::VectorXd result = mapParameters(fitted.model, fitted.fit.unknowns, model);
@@ -247,7 +246,7 @@ PlannedInformation predictInformation(const FittedModel& fitted, const ModelAmbi
 
 namespace {
 
-/// A placement on the floor in the frame of another.
+/// Transforms a placement on the floor to the frame of another one.
 Placement seenFrom(const Placement& sole, const Placement& board) {
   const double x = board.x - sole.x, y = board.y - sole.y, c = std::cos(sole.yaw), s = std::sin(sole.yaw);
   Placement result;
@@ -291,7 +290,7 @@ std::vector<LocalScene> findLocalScenes(const FittedModel& fitted) {
     const ModelState belief = predictState(measurements, fitted.model, *picture, fitted.fit.unknowns);
     LocalScene here{foot, onFloor(belief.worldFromSupport()), {}};
     for (const std::size_t target : seen) {
-      Board board = measurements.targets[target].board; // its id as in its set
+      Board board = measurements.targets[target].board; // keeps the id used in its set
       board.placement = seenFrom(here.sole, onFloor(belief.boardPlacement(target)));
       here.boards.push_back(std::move(board));
     }

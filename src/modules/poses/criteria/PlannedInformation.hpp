@@ -12,43 +12,43 @@
 
 namespace naocal {
 
-/// Per joint the motion that ends in a pose, at random: -1 from above, +1 from below; as one for joints of one motor.
+/// Random approach per joint: -1 from above, +1 from below; equal for joints of one motor.
 Eigen::VectorXd drawApproach(const Robot& robot, std::mt19937_64& random);
 
-/// Whether an effect of the model depends on it.
+/// Whether an effect of the model depends on the approach.
 bool dependsOnApproach(const Model& model);
 
-/// Where a robot stood last and what lies around it, by a fit: where it would take further poses.
+/// The robot's last stance and the boards around it, from a fit; further poses are taken there.
 struct LocalScene {
   SupportFoot supportFoot = SupportFoot::left;
-  Placement sole;            // in the fit's world
-  std::vector<Board> boards; // on the floor, seen in the last set; placements in the sole's frame
+  Placement sole;            // in the world of the fit
+  std::vector<Board> boards; // on the floor and seen in the last set; placements in the sole's frame
 };
 
-/// One for each foot that the last set stands on (of both feet, the left one); none where no board lies on the floor.
+/// One per foot used in the last set (for both feet, the left one); empty if no board lies on the floor.
 std::vector<LocalScene> findLocalScenes(const FittedModel& fitted);
 
-/// The sets with captures of planned poses behind the last one's, as if they had been taken after it: the boards lie
-/// where they lay, the robot stands anew on each foot; every camera takes one picture a pose, and joints read what they
-/// were sent to. Corners' ids are those in sight, their pixels nothing: slopes do not depend on what was measured.
+/// Appends captures of planned poses to the last set, as if taken after it: boards in place, a new stance on each foot,
+/// one image per camera and pose, encoders equal to the commands. Corners have the ids of the visible ones and pixel
+/// coordinates 0, since derivatives do not depend on the measured values.
 std::vector<CaptureSet> appendPlannedCaptures(const std::vector<CaptureSet>& sets, const Robot& robot,
                                               const std::vector<ProposedPose>& poses);
 
-/// What a camera sees, corners' pixels nothing.
+/// Corners visible to a camera, with pixel coordinates 0.
 std::vector<BoardCorners> cornersSeenBy(const std::string& camera, const std::vector<VisibleBoard>& sights);
 
-/// The name of a planned pose's captures.
+/// Name of a planned pose's captures.
 std::string plannedPoseName(std::size_t pose);
 
-/// The stance that poses on this foot get: numbers above those of all sets, the left foot's first.
+/// Stance id of planned poses on a foot: above those of all sets, the left foot's first.
 int plannedStanceId(const std::vector<CaptureSet>& sets, SupportFoot foot);
 
-/// Those poses in which the robot stands and sees a board when its joints are where the fitted model has them, not
-/// where they were sent; their sights so.
+/// Keeps poses in which the robot is balanced and sees a board at the joint angles predicted by the fitted model;
+/// updates their sights accordingly.
 std::vector<ProposedPose> filterFeasible(const FittedModel& fitted, const std::vector<LocalScene>& around,
                                          std::vector<ProposedPose> poses);
 
-/// A pose's information about the unknowns that it depends on, its joints' deflections eliminated.
+/// A pose's information about the unknowns it depends on, with joint deflections marginalised.
 struct PoseInformation {
   std::vector<std::size_t> unknowns;
   Eigen::MatrixXd hessian;
@@ -56,25 +56,25 @@ struct PoseInformation {
   void addTo(Eigen::MatrixXd& sum) const;
 };
 
-/// `samples`: pictures taken without moving, that is, with the same encoder errors.
+/// `samples`: images taken without moving, hence with the same encoder errors.
 PoseInformation marginalInformation(PoseSystem pose, const Noise& noise, double samples = 1);
 
-/// What captures tell about the unknowns, and what planned ones would.
+/// Information about the unknowns, of existing captures and of planned poses.
 struct PlannedInformation {
-  Model own;                             // the question's model for all of them; the suspects' unknowns come behind
-  Eigen::MatrixXd known;                 // priors and captures
+  Model own;                             // model of the question, for all captures; the suspects' unknowns follow
+  Eigen::MatrixXd known;                 // priors plus captures
   std::vector<PoseInformation> promised; // per planned pose
 };
 
-/// The measurement model linearised at the fit, for captures and planned poses (appendPlannedCaptures); suspects
-/// absent.
+/// Information of the measurement model linearised at the fit, for captures and planned poses (appendPlannedCaptures);
+/// the suspects' unknowns are zero. Throws InputError if the fit puts a corner behind the camera.
 PlannedInformation predictInformation(const FittedModel& fitted, const ModelAmbiguity& question,
                                       const std::vector<LocalScene>& around, const std::vector<ProposedPose>& poses);
 
-/// Pictures per pose and camera.
+/// Mean number of images per pose and camera, rounded.
 double samplesPerPose(const Measurements& measurements);
 
-/// The model with the suspects behind its own unknowns.
+/// Appends the suspects' terms to the model. Throws InputError if a suspect cannot be placed in the captures.
 Model addHypotheses(const Measurements& measurements, const Model& model, const ModelAmbiguity& question);
 
 } // namespace naocal

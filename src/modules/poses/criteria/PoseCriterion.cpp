@@ -11,10 +11,10 @@ namespace naocal {
 
 namespace {
 
-/// An offset is to be told to 0.13 degrees, or to 0.07 where cameras and boards are known.
+/// Ratio of the target variances: 0.13 degrees, or 0.07 degrees with cameras and boards known.
 constexpr double knownWeight = 0.13 * 0.13 / (0.07 * 0.07);
 
-/// The largest of some variances as a norm of this order: smooth, so that what is refined does not get stuck.
+/// Order of the norm that replaces the maximum of variances: smooth, so that refinement does not get stuck.
 constexpr double softness = 4;
 
 } // namespace
@@ -34,7 +34,7 @@ Eigen::MatrixXd PoseCriterion::relevantInformation(const Eigen::MatrixXd& inform
 }
 
 Eigen::MatrixXd PoseCriterion::covariance(const Eigen::MatrixXd& sum) const {
-  // The offsets stand last: their block of L is the root of what is known of them with all else unknown.
+  // The offsets come last: their block of L is the root of their information with all else marginalised.
   const auto count = static_cast<Eigen::Index>(joints_.size());
   const Eigen::LLT<Eigen::MatrixXd> factor{sum};
   const Eigen::MatrixXd corner = factor.matrixLLT().bottomRightCorner(count, count);

@@ -10,7 +10,7 @@ namespace naocal {
 
 namespace {
 
-/// Relative to the picture's middle [px]; behind the camera: far outside.
+/// Pixel coordinates relative to the image centre [px]; behind the camera: far outside.
 Eigen::Vector2d fromMiddle(const CameraIntrinsics& lens, const Eigen::Vector3d& inOptical) {
   if (inOptical.z() <= 0) {
     return Eigen::Vector2d::Constant(1e9);
@@ -18,7 +18,7 @@ Eigen::Vector2d fromMiddle(const CameraIntrinsics& lens, const Eigen::Vector3d& 
   return {lens.fx * inOptical.x() / inOptical.z(), lens.fy * inOptical.y() / inOptical.z()};
 }
 
-/// The rigid motion (t_x, t_y, r_z) in the plane that brings points nearest to where they went (Procrustes).
+/// The planar rigid motion (t_x, t_y, r_z) that best maps `from` to `to` (Procrustes).
 Eigen::Vector3d rigidMotion(const Eigen::Matrix2Xd& from, const Eigen::Matrix2Xd& to) {
   const Eigen::Vector2d a = from.rowwise().mean(), b = to.rowwise().mean();
   const Eigen::Matrix2d spread = (from.colwise() - a) * (to.colwise() - b).transpose();
