@@ -21,11 +21,7 @@ struct Solved {
   CalibrationResult result;
 
   StoredResult stored() const {
-    const std::filesystem::path file = std::filesystem::temp_directory_path() / "naocal-real-data-test.json";
-    writeAtomically(file, resultJson({measurements, model, result}, {{""}, {""}}).dump());
-    StoredResult read = readResult(file);
-    std::filesystem::remove(file);
-    return read;
+    return parseResult(resultJson({measurements, model, result}, {{""}, {""}}), "result.json");
   }
 };
 

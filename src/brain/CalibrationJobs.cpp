@@ -17,7 +17,7 @@ namespace naocal {
 namespace {
 
 constexpr double leastGain = 0.5;          // largest remaining share of the error; above it the calibration is not kept
-constexpr double mostOffset = radians(20); // [rad]; beyond it captures are refused as inconsistent; 11 deg have been
+constexpr double mostOffset = radians(20); // [rad]; beyond it captures are refused as inconsistent; 11.5 deg have been
                                            // observed
 
 /// Throws InputError for implausible offsets, which indicate inconsistent captures.

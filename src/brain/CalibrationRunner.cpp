@@ -408,8 +408,8 @@ CaptureSet CalibrationRunner::header() const {
   set.headId = jobs_.context().identity.headId;
   set.bodyId = jobs_.context().identity.bodyId;
   set.jointNames = {jointNames.begin(), jointNames.end()};
-  for (const auto& [name, belief] : *cameras_) {
-    set.cameras[name] = belief.intrinsics;
+  for (const auto& [name, modelState] : *cameras_) {
+    set.cameras[name] = modelState.intrinsics;
   }
   set.boards = boards_->boards;
   for (std::size_t foot = 0; foot < kind_->feet.size(); ++foot) {

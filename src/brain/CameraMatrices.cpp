@@ -27,13 +27,13 @@ nlohmann::json kinematicMatrix(const Eigen::Isometry3d& transform, double metre)
 
 PanelCameraPose computePanelCameraPose(const Robot& drawing, const JointSample& moment, CameraName camera,
                                        const CameraModel& cameraBelief) {
-  ModelState belief = nominalState(drawing, StateLayout{drawing.joints.size(), drawing.lengths.size(), 0});
+  ModelState modelState = nominalState(drawing, StateLayout{drawing.joints.size(), drawing.lengths.size(), 0});
   for (std::size_t joint = 0; joint < drawing.joints.size(); ++joint) {
-    belief.angle(joint) = moment.angles[jointIndex(drawing.joints[joint].name).value()];
+    modelState.angle(joint) = moment.angles[jointIndex(drawing.joints[joint].name).value()];
   }
-  belief.mountRotation() = Eigen::Vector3d{cameraBelief.rotation.data()};
+  modelState.mountRotation() = Eigen::Vector3d{cameraBelief.rotation.data()};
   const CameraMount& mount = drawing.cameras.at(drawing.cameraIndex(toString(camera)).value());
-  const LinkPoses torsoFromLink = forwardKinematics(drawing, belief);
+  const LinkPoses torsoFromLink = forwardKinematics(drawing, modelState);
   const RigidTransform& torsoFromHead = torsoFromLink[mount.link];
   Eigen::Vector3d sole = torsoFromLink[drawing.soles.front().link].translation;
   for (const Sole& other : drawing.soles) {
@@ -42,7 +42,7 @@ PanelCameraPose computePanelCameraPose(const Robot& drawing, const JointSample& 
   }
   RigidTransform groundFromTorso{rotationY(moment.tilt[1]) * rotationX(moment.tilt[0]), Eigen::Vector3d::Zero()};
   groundFromTorso.translation.z() = -(groundFromTorso.rotation * sole).z();
-  const RigidTransform groundFromCamera = groundFromTorso * torsoFromHead * linkFromCamera(mount, belief);
+  const RigidTransform groundFromCamera = groundFromTorso * torsoFromHead * linkFromCamera(mount, modelState);
   return {isometry(torsoFromHead.inverse()), isometry(groundFromTorso.inverse()), isometry(groundFromCamera.inverse()),
           camera};
 }
@@ -53,10 +53,10 @@ void CameraMatrices::cycle() {
     return;
   }
   const CameraFrame& frame = frame_->frame;
-  const auto belief = cameras_->find(std::string{toString(frame.camera)});
+  const auto modelState = cameras_->find(std::string{toString(frame.camera)});
   const auto moment = moments_->at(std::min(frame.time + fromSeconds(*latency_), newest->time));
-  if (belief != cameras_->end() && moment) {
-    matrices_ = computePanelCameraPose(drawing_, *moment, frame.camera, belief->second);
+  if (modelState != cameras_->end() && moment) {
+    matrices_ = computePanelCameraPose(drawing_, *moment, frame.camera, modelState->second);
   }
 }
 

@@ -25,7 +25,7 @@ void to_json(nlohmann::json& out, const PanelCameraPose& matrices);
 ///
 ///   groundFromTorso = Ry(pitch) Rx(roll) T(-sole), then x = y = 0
 PanelCameraPose computePanelCameraPose(const Robot& drawing, const JointSample& moment, CameraName camera,
-                                       const CameraModel& belief);
+                                       const CameraModel& modelState);
 
 /// Publishes the camera pose of every image in the cycle of its arrival, so that the time stamps match.
 class CameraMatrices final : public Module {

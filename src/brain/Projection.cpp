@@ -5,8 +5,8 @@
 namespace naocal {
 namespace {
 
-CameraModel belief(const std::array<double, 3>& rotation, const std::array<double, 2>& focal,
-                   const std::array<double, 2>& centre) {
+CameraModel modelState(const std::array<double, 3>& rotation, const std::array<double, 2>& focal,
+                       const std::array<double, 2>& centre) {
   CameraModel result{{}, rotation};
   CameraIntrinsics& lens = result.intrinsics;
   lens.fx = focal[0] * lens.width;
@@ -19,14 +19,14 @@ CameraModel belief(const std::array<double, 3>& rotation, const std::array<doubl
 } // namespace
 
 void Projection::onParametersChanged() {
-  beliefs_ = {{"top", belief(*topRotation_, *topFocal_, *topCentre_)},
-              {"bottom", belief(*bottomRotation_, *bottomFocal_, *bottomCentre_)}};
+  beliefs_ = {{"top", modelState(*topRotation_, *topFocal_, *topCentre_)},
+              {"bottom", modelState(*bottomRotation_, *bottomFocal_, *bottomCentre_)}};
 }
 
-void to_json(nlohmann::json& out, const CameraModel& belief) {
-  out = {{"fc", {belief.intrinsics.fx, belief.intrinsics.fy}},
-         {"cc", {belief.intrinsics.cx, belief.intrinsics.cy}},
-         {"ext", belief.rotation}};
+void to_json(nlohmann::json& out, const CameraModel& modelState) {
+  out = {{"fc", {modelState.intrinsics.fx, modelState.intrinsics.fy}},
+         {"cc", {modelState.intrinsics.cx, modelState.intrinsics.cy}},
+         {"ext", modelState.rotation}};
 }
 
 } // namespace naocal

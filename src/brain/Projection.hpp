@@ -17,7 +17,7 @@ struct CameraModel {
   std::array<double, 3> rotation{}; // mount rotation relative to the drawing: rx, ry, rz in the camera's axes [rad]
 };
 using CameraModels = std::map<std::string, CameraModel>; // "top", "bottom"
-void to_json(nlohmann::json& out, const CameraModel& belief);
+void to_json(nlohmann::json& out, const CameraModel& modelState);
 
 /// Camera calibration in HULKs' format (Projection.json): focal length and principal point as fractions of image width
 /// and height, mount rotation as roll, pitch, yaw [rad].

@@ -1,7 +1,9 @@
 #include "brain/SavedCalibration.hpp"
 
+#include "effects/Catalogue.hpp"
 #include "hardware/Joints.hpp"
 #include "math/Angles.hpp"
+#include "protocol/JointOrder.hpp"
 
 #include <algorithm>
 #include <array>
@@ -16,11 +18,6 @@ constexpr const char* offsetsMount = "Motion.JointCalibrationProvider";
 constexpr const char* camerasMount = "Brain.Projection";
 const std::vector<std::string> calibrationMounts{offsetsMount, camerasMount};
 constexpr std::array mountAngles{"rx", "ry", "rz"};
-
-std::string offsetKey(std::string joint) {
-  joint[0] = static_cast<char>(std::tolower(joint[0]));
-  return joint;
-}
 
 std::string mountKey(const std::string& camera) {
   return camera + "_ext";
@@ -42,7 +39,7 @@ StoredResult readConfiguredCalibration(const Configuration& configuration) {
     if (joint != "RHipYawPitch" && !joint.ends_with("Hand")) { // coupled joint, and joints without an angle
       const std::string term = fmt::format("jointOffset@{}", joint);
       result.terms.push_back(term);
-      result.values[term + ".o"] = radians(offsets.at(offsetKey(std::string{joint})).get<double>());
+      result.values[term + ".o"] = radians(offsets.at(offsetKey(joint)).get<double>());
     }
   }
   for (const std::string camera : {"top", "bottom"}) {
@@ -86,7 +83,7 @@ void applyCalibration(const std::vector<EffectiveOffset>& offsets, const StoredR
     }
     for (const std::string& term : mounts.terms) {
       const std::string effect = term.substr(0, term.find('@')), place = term.substr(term.find('@') + 1);
-      if (effect == "cameraRotation") {
+      if (effect == effectName::cameraRotation) {
         nlohmann::json rotation;
         for (const char* angle : mountAngles) {
           rotation.push_back(mounts.values.at(term + "." + angle));

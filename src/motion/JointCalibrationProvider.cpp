@@ -9,19 +9,13 @@
 namespace naocal {
 namespace {
 
-constexpr double largestOffset = 30; // [deg]; larger values are refused; 12 have been observed
+constexpr double largestOffset = 30; // [deg]; larger values are refused; 11.5 have been observed
 
 std::string plausible(const double& degrees) {
   return std::abs(degrees) <= largestOffset ? "" : fmt::format("an offset from -{0} to {0} degrees", largestOffset);
 }
 
 } // namespace
-
-std::string offsetKey(std::string_view joint) {
-  std::string key{joint};
-  key[0] = static_cast<char>(std::tolower(key[0]));
-  return key;
-}
 
 JointCalibrationProvider::JointCalibrationProvider() : Module{"JointCalibrationProvider"} {
   for (const std::string_view joint : jointNames) {

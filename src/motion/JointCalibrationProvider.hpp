@@ -4,15 +4,13 @@
 #include "framework/core/Parameter.hpp"
 #include "motion/JointOffsets.hpp"
 #include "motion/SensorProvider.hpp"
+#include "protocol/JointOrder.hpp"
 
 #include <deque>
 #include <string>
 #include <string_view>
 
 namespace naocal {
-
-/// The key of a joint's offset in JointCalibrationProvider.json: the joint's name with a lower-case first letter.
-std::string offsetKey(std::string_view joint);
 
 /// Subtracts joint offsets from encoder readings. The offsets are HULKs' parameters [deg], by joint; changes take
 /// effect between cycles. RHipYawPitch uses the offset of LHipYawPitch: one motor drives both.

@@ -40,9 +40,9 @@ void calibration(benchmark::State& state) {
 void scorePass(benchmark::State& state) {
   const std::vector<Term> testable = sound().testable();
   for (auto _ : state) {
-    const CandidateTests inquiry{
+    const CandidateTests candidateTests{
         {sound().measurements, sound().model, sound().fit}, testable, {.draws = 0, .map = false}};
-    benchmark::DoNotOptimize(inquiry.evidence().pValue);
+    benchmark::DoNotOptimize(candidateTests.evidence().pValue);
   }
   state.counters["candidates"] = static_cast<double>(testable.size());
 }
@@ -50,8 +50,8 @@ void scorePass(benchmark::State& state) {
 void scorePassWithMapAndAlarm(benchmark::State& state) {
   const std::vector<Term> testable = sound().testable();
   for (auto _ : state) {
-    const CandidateTests inquiry{{sound().measurements, sound().model, sound().fit}, testable};
-    benchmark::DoNotOptimize(inquiry.evidence().pValue);
+    const CandidateTests candidateTests{{sound().measurements, sound().model, sound().fit}, testable};
+    benchmark::DoNotOptimize(candidateTests.evidence().pValue);
   }
 }
 

@@ -22,9 +22,9 @@ TEST_CASE("the gear's play stands where load and friction leave it, on every mod
     const auto gap = [&](double torque, double approach, double logFriction) {
       instant.torque = Eigen::VectorXd::Constant(static_cast<Eigen::Index>(robot.joints.size()), torque);
       instant.approach = Eigen::VectorXd::Constant(instant.torque.size(), approach);
-      ModelState belief = nominalState(robot, {robot.joints.size(), robot.lengths.size(), 0});
-      gear.correct(belief, instant, knee, std::vector{0.01, logFriction});
-      return belief.angle(knee);
+      ModelState modelState = nominalState(robot, {robot.joints.size(), robot.lengths.size(), 0});
+      gear.correct(modelState, instant, knee, std::vector{0.01, logFriction});
+      return modelState.angle(knee);
     };
     for (const double approach : {-1.0, 0.0, 1.0}) {
       CHECK(gap(0.5, approach, 0) == Approx(0.005));

@@ -54,11 +54,11 @@ void countNamed(const Simulation& simulation, const Measurements& measurements, 
   for (const Outlier& doubt : result.doubts) {
     const ImageObservation& picture = measurements.pictures[doubt.picture];
     const int capture = simulation.set.captures[picture.capture].id;
-    const std::string board = measurements.targets[picture.sightings[doubt.sighting].view.board()].name;
+    const std::string board = measurements.targets[picture.observations[doubt.observation].view.board()].name;
     for (int corner : doubt.corners) {
       named.insert({capture, board, corner});
     }
-    if (2 * doubt.corners.size() > picture.sightings[doubt.sighting].ids.size()) {
+    if (2 * doubt.corners.size() > picture.observations[doubt.observation].ids.size()) {
       namedBoards.insert({capture, board});
     }
   }

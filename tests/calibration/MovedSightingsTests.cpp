@@ -43,7 +43,7 @@ TEST_CASE("where no board moved, the test for moves is chi2 with six degrees of 
     const Seen seen{simulated(seed)};
     const Fit fit = seen.fit(simulatedNoise());
     for (const BoardDisplacement& move : testDisplacements(seen.measurements, seen.model, fit)) {
-      if (seen.measurements.pictures[move.picture].sightings[move.sighting].ids.size() >= 6) {
+      if (seen.measurements.pictures[move.picture].observations[move.observation].ids.size() >= 6) {
         sum += move.chi2;
         ++count;
         beyond += move.chi2 > 12.59;
@@ -58,7 +58,7 @@ TEST_CASE("where no board moved, the test for moves is chi2 with six degrees of 
 
 TEST_CASE("a board that moved in one picture is found, and counts nothing once it is set aside") {
   // Proves the search for a slight move, 2 px, that bent joints could explain as well, and that what is set aside has
-  // no influence left. Moves of many sightings at once are left to the tests of whole calibrations.
+  // no influence left. Moves of many observations at once are left to the tests of whole calibrations.
   CaptureSet set = simulated(7);
   Capture& capture = set.captures[4];
   REQUIRE_FALSE(capture.corners->empty());
@@ -74,7 +74,7 @@ TEST_CASE("a board that moved in one picture is found, and counts nothing once i
   REQUIRE(moved);
   const ImageObservation& picture = seen.measurements.pictures[moved->picture];
   CHECK(set.captures[picture.capture].id == capture.id);
-  CHECK(seen.measurements.targets[picture.sightings[moved->sighting].view.board()].name == corners.board);
+  CHECK(seen.measurements.targets[picture.observations[moved->observation].view.board()].name == corners.board);
 
   shift(1); // of what is set aside
   Seen other{set};

@@ -9,18 +9,18 @@ namespace {
 /// A robot somewhere in its range, with everything else a little off the drawing too, and a board in front of it.
 struct Scenery {
   Scenery(const std::string& link, unsigned seed)
-      : robot{loadRobot(configurationDirectory(), "V6")},
-        quantities{robot.joints.size(), robot.lengths.size(), 2}, belief{nominalState(robot, quantities)} {
+      : robot{loadRobot(configurationDirectory(), "V6")}, quantities{robot.joints.size(), robot.lengths.size(), 2},
+        modelState{nominalState(robot, quantities)} {
     std::mt19937 random{seed};
     std::uniform_real_distribution<double> unit{-1, 1};
     for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
-      belief.angle(joint) = 0.4 * unit(random);
-      belief.axis(joint) += 0.02 * Eigen::Vector3d{unit(random), unit(random), unit(random)};
+      modelState.angle(joint) = 0.4 * unit(random);
+      modelState.axis(joint) += 0.02 * Eigen::Vector3d{unit(random), unit(random), unit(random)};
     }
-    belief.mountTranslation() << 0.002, -0.003, 0.001;
-    belief.mountRotation() << 0.03, -0.02, 0.04;
-    belief.lens() << 590, 610, 321, 243, 0.05, -0.03, 0.002, -0.001, 0.01;
-    belief.worldFromSupport() << 0.1, -0.05, 0.01, 0.02, -0.03, 0.2;
+    modelState.mountTranslation() << 0.002, -0.003, 0.001;
+    modelState.mountRotation() << 0.03, -0.02, 0.04;
+    modelState.lens() << 590, 610, 321, 243, 0.05, -0.03, 0.002, -0.001, 0.01;
+    modelState.worldFromSupport() << 0.1, -0.05, 0.01, 0.02, -0.03, 0.2;
     board.pattern = CharucoPattern{};
     board.points = innerCorners(*board.pattern);
     board.link = link;
@@ -28,22 +28,22 @@ struct Scenery {
     corners = packCorners(board, seen);
     const bool onFloor = link == "floor";
     view.emplace(robot, quantities, 0, *robot.linkIndex(onFloor ? "LSole" : link), onFloor, 1);
-    belief.boardScale(1) = 0.01;
-    belief.boardBow(1) = 0.004;
+    modelState.boardScale(1) = 0.01;
+    modelState.boardBow(1) = 0.004;
     placeBefore(1.1);
   }
 
   /// Puts the board square before the camera, at a distance.
   void placeBefore(double distance) {
-    belief.boardPlacement(1).setZero();
-    const LinkPoses torsoFromLink = forwardKinematics(robot, belief);
-    const CameraFrames attitude = view->cameraFrames(robot, belief, torsoFromLink);
+    modelState.boardPlacement(1).setZero();
+    const LinkPoses torsoFromLink = forwardKinematics(robot, modelState);
+    const CameraFrames attitude = view->cameraFrames(robot, modelState, torsoFromLink);
     const RigidTransform opticalFromParent =
         attitude.opticalFromBoard; // the board's frame is its parent's at zero placement
     const RigidTransform wanted{rotationX(2.4) * rotationZ(0.5), {-0.2, 0.1, distance}};
     const RigidTransform parentFromBoard = opticalFromParent.inverse() * wanted;
     const Eigen::Matrix3d& r = parentFromBoard.rotation;
-    belief.boardPlacement(1) << parentFromBoard.translation, std::atan2(r(2, 1), r(2, 2)), -std::asin(r(2, 0)),
+    modelState.boardPlacement(1) << parentFromBoard.translation, std::atan2(r(2, 1), r(2, 2)), -std::asin(r(2, 0)),
         std::atan2(r(1, 0), r(0, 0));
   }
 
@@ -62,16 +62,16 @@ struct Scenery {
 
   /// The analytic derivative by one quantity.
   Eigen::VectorXd derivative(std::size_t quantity) const {
-    const LinkPoses torsoFromLink = forwardKinematics(robot, belief);
-    const CameraFrames attitude = view->cameraFrames(robot, belief, torsoFromLink);
+    const LinkPoses torsoFromLink = forwardKinematics(robot, modelState);
+    const CameraFrames attitude = view->cameraFrames(robot, modelState, torsoFromLink);
     ProjectedBlocks projected;
-    view->project(attitude, belief, corners, projected);
+    view->project(attitude, modelState, corners, projected);
     std::vector<std::size_t> extras;
     if (const auto extra = view->extraIndex(quantity)) {
       extras.push_back(*extra);
     }
     Eigen::MatrixXd motion(static_cast<Eigen::Index>(6 + extras.size()), 1);
-    view->fillMotionColumns(robot, attitude, belief, torsoFromLink, {quantity}, extras, motion);
+    view->fillMotionColumns(robot, attitude, modelState, torsoFromLink, {quantity}, extras, motion);
     Eigen::VectorXd result(14);
     for (Eigen::Index i = 0; i < 7; ++i) {
       const ProjectedBlock& seen = projected[static_cast<std::size_t>(i / 4)];
@@ -82,7 +82,7 @@ struct Scenery {
       }
       if (!extras.empty()) {
         Double4 extraU, extraV;
-        ObservationChain::fillExtraRows(extras[0], attitude, belief, corners[static_cast<std::size_t>(i / 4)], seen,
+        ObservationChain::fillExtraRows(extras[0], attitude, modelState, corners[static_cast<std::size_t>(i / 4)], seen,
                                         extraU, extraV);
         du += extraU[i % 4] * motion(6, 0);
         dv += extraV[i % 4] * motion(6, 0);
@@ -96,7 +96,7 @@ struct Scenery {
   /// Central differences, extrapolated to step zero (Richardson).
   Eigen::VectorXd differences(std::size_t quantity, double step) const {
     const auto central = [&](double h) {
-      ModelState above = belief, below = belief;
+      ModelState above = modelState, below = modelState;
       above.values[static_cast<Eigen::Index>(quantity)] += h;
       below.values[static_cast<Eigen::Index>(quantity)] -= h;
       return Eigen::VectorXd{(predicted(above) - predicted(below)) / (2 * h)};
@@ -106,7 +106,7 @@ struct Scenery {
 
   Robot robot;
   StateLayout quantities;
-  ModelState belief;
+  ModelState modelState;
   Board board;
   CornerBlocks corners;
   std::optional<ObservationChain> view;
@@ -138,9 +138,9 @@ TEST_CASE("a corner behind the camera is nowhere in the picture") {
   Scenery scenery{"floor", 4};
   scenery.placeBefore(-0.5);
   ProjectedBlocks projected;
-  const CameraFrames attitude =
-      scenery.view->cameraFrames(scenery.robot, scenery.belief, forwardKinematics(scenery.robot, scenery.belief));
-  CHECK_FALSE(scenery.view->project(attitude, scenery.belief, scenery.corners, projected));
+  const CameraFrames attitude = scenery.view->cameraFrames(scenery.robot, scenery.modelState,
+                                                           forwardKinematics(scenery.robot, scenery.modelState));
+  CHECK_FALSE(scenery.view->project(attitude, scenery.modelState, scenery.corners, projected));
 }
 
 TEST_CASE("a row that is exposed later sees the joints where they are by then") {
@@ -155,25 +155,25 @@ TEST_CASE("a row that is exposed later sees the joints where they are by then") 
   for (CornerBlock& block : scenery.corners) {
     block.v += 40; // measured: off the predicted row, as always
   }
-  const LinkPoses torsoFromLink = forwardKinematics(scenery.robot, scenery.belief);
-  CameraFrames attitude = scenery.view->cameraFrames(scenery.robot, scenery.belief, torsoFromLink);
-  scenery.view->setDrift(scenery.robot, scenery.belief, torsoFromLink, velocity, attitude);
-  ModelState rolling = scenery.belief;
+  const LinkPoses torsoFromLink = forwardKinematics(scenery.robot, scenery.modelState);
+  CameraFrames attitude = scenery.view->cameraFrames(scenery.robot, scenery.modelState, torsoFromLink);
+  scenery.view->setDrift(scenery.robot, scenery.modelState, torsoFromLink, velocity, attitude);
+  ModelState rolling = scenery.modelState;
   rolling.rowTime() = rowTime;
   ProjectedBlocks late, still;
   REQUIRE(scenery.view->project(attitude, rolling, scenery.corners, late));
-  REQUIRE(scenery.view->project(attitude, scenery.belief, scenery.corners, still));
+  REQUIRE(scenery.view->project(attitude, scenery.modelState, scenery.corners, still));
   for (Eigen::Index i = 0; i < 7; ++i) {
     const auto block = static_cast<std::size_t>(i / 4);
-    ModelState moved = scenery.belief;
+    ModelState moved = scenery.modelState;
     moved.values.head(velocity.size()) += velocity * rowTime * (scenery.corners[block].v[i % 4] - cy);
     const Eigen::VectorXd expected = scenery.predicted(moved);
     CHECK(late[block].u[i % 4] == Approx(expected[2 * i]).epsilon(0).margin(1e-5));
     CHECK(late[block].v[i % 4] == Approx(expected[2 * i + 1]).epsilon(0).margin(1e-5));
     CHECK(std::abs(late[block].u[i % 4] - still[block].u[i % 4]) > 1e-3);
     Double4 du, dv;
-    ObservationChain::fillExtraRows(rowTimeExtra, attitude, scenery.belief, scenery.corners[block], still[block], du,
-                                    dv);
+    ObservationChain::fillExtraRows(rowTimeExtra, attitude, scenery.modelState, scenery.corners[block], still[block],
+                                    du, dv);
     CHECK(still[block].u[i % 4] + rowTime * du[i % 4] == Approx(expected[2 * i]).epsilon(0).margin(1e-4));
   }
 }

@@ -174,7 +174,7 @@ TEST_CASE("where the alarm stands but nothing is likely, a diagnosis does not ca
   // of few candidates rarely one is likely where nothing is hidden.)
   DiagnosisOptions options;
   options.alarm = 1;
-  options.inquiry.map = false;
+  options.candidateTests.map = false;
   std::erase_if(options.effects, [](const Effect& effect) {
     return !effect.base && effect.name != "soleTilt" && effect.name != "hysteresis";
   });

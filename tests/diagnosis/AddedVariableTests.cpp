@@ -12,15 +12,15 @@ TEST_CASE("the slope over an added-variable plot's poses is the candidate's esti
   // sides. That the evidence is right is proved with it.
   const Questioned asked{simulatedSet(8, 3), false};
   int compared = 0;
-  for (std::size_t i = 0; i < asked.inquiry.candidates().size(); ++i) {
-    const GroupEvidence& evidence = asked.inquiry.candidateEvidence(i);
-    const auto plot = computeAddedVariable(asked.inquiry, asked.model, i);
+  for (std::size_t i = 0; i < asked.candidateTests.candidates().size(); ++i) {
+    const GroupEvidence& evidence = asked.candidateTests.candidateEvidence(i);
+    const auto plot = computeAddedVariable(asked.candidateTests, asked.model, i);
     CHECK(plot.has_value() == (evidence.freedom > 0));
-    const double plausible = asked.inquiry.candidates()[i].effect.unknowns.front().sigma;
+    const double plausible = asked.candidateTests.candidates()[i].effect.unknowns.front().sigma;
     if (!plot || std::sqrt(evidence.covariance(0, 0)) > 3 * plausible) {
       continue; // hardly measured: then the evidence leans on what is plausible, which the plot leaves out
     }
-    INFO(asked.inquiry.candidates()[i].label());
+    INFO(asked.candidateTests.candidates()[i].label());
     const double size = evidence.estimate.size() == 1 ? evidence.estimate[0] : 1;
     CHECK(plot->slope == Approx(size).margin(0.01 * plot->sigma).epsilon(1e-3));
     if (evidence.estimate.size() == 1) {
@@ -49,7 +49,8 @@ TEST_CASE("a hidden flaw moves every pose along its added-variable line") {
   }
   const auto plotOf = [](const CaptureSet& set) {
     const Questioned asked{set, false};
-    return *computeAddedVariable(asked.inquiry, asked.model, *asked.inquiry.findCandidate("encoderGain@LKneePitch"));
+    return *computeAddedVariable(asked.candidateTests, asked.model,
+                                 *asked.candidateTests.findCandidate("encoderGain@LKneePitch"));
   };
   const AddedVariable before = plotOf(plain), after = plotOf(flawed);
   CHECK(after.slope - before.slope == Approx(gain).epsilon(0.05));

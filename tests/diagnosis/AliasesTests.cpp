@@ -19,7 +19,7 @@ TEST_CASE("a candidate that is like another keeps little once that one is in the
                                         "linkLength@thigh"};
   std::vector<Term> candidates;
   for (const std::string& label : labels) {
-    candidates.push_back(asked.inquiry.candidates()[*asked.inquiry.findCandidate(label)]);
+    candidates.push_back(asked.candidateTests.candidates()[*asked.candidateTests.findCandidate(label)]);
   }
   const CandidateTests without{{asked.measurements, asked.model, asked.fit}, candidates, options};
   const AliasMatrix aliases = computeAliasMatrix(without, labels, labels.size());

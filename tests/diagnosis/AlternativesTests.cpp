@@ -19,16 +19,16 @@ TEST_CASE("evident effects that do different things to the pictures are never ea
   scaled("HeadYaw", 0.97);
   scaled("LKneePitch", 0.97);
   const Questioned asked{set, false};
-  const auto head = asked.inquiry.findCandidate("encoderGain@HeadYaw"),
-             knee = asked.inquiry.findCandidate("encoderGain@LKneePitch");
+  const auto head = asked.candidateTests.findCandidate("encoderGain@HeadYaw"),
+             knee = asked.candidateTests.findCandidate("encoderGain@LKneePitch");
   REQUIRE((head && knee));
-  for (std::size_t i = 0; i < asked.inquiry.candidates().size(); ++i) {
+  for (std::size_t i = 0; i < asked.candidateTests.candidates().size(); ++i) {
     constexpr double evident = 10;
-    for (const std::size_t other : findEquivalents(asked.inquiry, i)) {
-      if (asked.inquiry.candidateEvidence(other).bayes > evident) {
-        CAPTURE(asked.inquiry.candidates()[i].label(), asked.inquiry.candidates()[other].label());
-        const std::vector<ColumnGroup>& groups = asked.inquiry.problem().groups;
-        CHECK(canonicalCorrelation(asked.inquiry.evidence().information, groups[i], groups[other]) >= 0.5);
+    for (const std::size_t other : findEquivalents(asked.candidateTests, i)) {
+      if (asked.candidateTests.candidateEvidence(other).bayes > evident) {
+        CAPTURE(asked.candidateTests.candidates()[i].label(), asked.candidateTests.candidates()[other].label());
+        const std::vector<ColumnGroup>& groups = asked.candidateTests.problem().groups;
+        CHECK(canonicalCorrelation(asked.candidateTests.evidence().information, groups[i], groups[other]) >= 0.5);
       }
     }
   }

@@ -10,7 +10,7 @@ namespace {
 
 std::vector<std::vector<std::size_t>> everyCandidate(const Questioned& asked) {
   std::vector<std::vector<std::size_t>> all;
-  for (std::size_t candidate = 0; candidate < asked.inquiry.candidates().size(); ++candidate) {
+  for (std::size_t candidate = 0; candidate < asked.candidateTests.candidates().size(); ++candidate) {
     all.push_back({candidate});
   }
   return all;
@@ -25,7 +25,7 @@ TEST_CASE("the best of many candidates seems to lower the error of unseen poses,
   double before = 0, next = 0;
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     const Questioned asked{simulatedSet(12, seed), false};
-    const auto held = crossValidate(asked.inquiry, asked.model, {}, everyCandidate(asked));
+    const auto held = crossValidate(asked.candidateTests, asked.model, {}, everyCandidate(asked));
     REQUIRE(held);
     lured += *std::min_element(held->afterPx.begin(), held->afterPx.end()) < held->beforePx;
     CHECK(held->chosenPx == held->beforePx); // nothing was chosen
@@ -46,9 +46,9 @@ TEST_CASE("an effect that is there is chosen in every fold, one that is not is n
   }
   const std::string gain = "encoderGain@LKneePitch", nonsense = "encoderGain@HeadYaw";
   const Questioned without{set, false}, with{set, false, {gain}}, wrong{set, false, {nonsense}};
-  const auto base = crossValidate(without.inquiry, without.model, {}, {}),
-             right = crossValidate(with.inquiry, with.model, {gain}, {}),
-             other = crossValidate(wrong.inquiry, wrong.model, {nonsense}, {});
+  const auto base = crossValidate(without.candidateTests, without.model, {}, {}),
+             right = crossValidate(with.candidateTests, with.model, {gain}, {}),
+             other = crossValidate(wrong.candidateTests, wrong.model, {nonsense}, {});
   REQUIRE((base && right && other));
   CHECK(right->chosenPx < 0.8 * base->chosenPx);
   CHECK(right->chosenPx == Approx(right->beforePx).epsilon(0.02));
@@ -61,7 +61,7 @@ TEST_CASE("what only priors tell is not fitted to the poses that are to be predi
   // the offsets of arms along, of which pictures tell next to nothing. Fitted to the fold itself they took its encoder
   // noise away, and the held-out error lay below the noise floor.
   const Questioned asked{simulatedSet(16, 3), false, {"elasticity@LKneePitch"}};
-  const auto held = crossValidate(asked.inquiry, asked.model, {}, {});
+  const auto held = crossValidate(asked.candidateTests, asked.model, {}, {});
   REQUIRE(held);
   CHECK(held->beforePx > asked.fit.rmsPx);
   CHECK(held->beforePx < 2 * asked.fit.rmsPx);
@@ -85,7 +85,7 @@ TEST_CASE("where a single pose says how two stances lie, it is not predicted fro
     poses.emplace(capture.pose, poses.size());
   }
   const Questioned whole{set, false};
-  const auto tied = crossValidate(whole.inquiry, whole.model, {}, {});
+  const auto tied = crossValidate(whole.candidateTests, whole.model, {}, {});
   const auto seesBoth = [&](std::size_t pose) {
     bool own = false, others = false;
     for (const Capture& capture : set.captures) {
@@ -108,7 +108,7 @@ TEST_CASE("where a single pose says how two stances lie, it is not predicted fro
     });
   }
   const Questioned asked{set, false};
-  const auto held = crossValidate(asked.inquiry, asked.model, {}, {});
+  const auto held = crossValidate(asked.candidateTests, asked.model, {}, {});
   REQUIRE((tied && held));
   CHECK(held->beforePx < 2 * tied->beforePx);
 }
@@ -116,7 +116,7 @@ TEST_CASE("where a single pose says how two stances lie, it is not predicted fro
 TEST_CASE("of one pose none is left to try the fit on") {
   // Proves that an error of the fit itself is not called one on unseen poses.
   const Questioned asked{simulatedSet(1, 3), false};
-  CHECK_FALSE(crossValidate(asked.inquiry, asked.model, {}, {}));
+  CHECK_FALSE(crossValidate(asked.candidateTests, asked.model, {}, {}));
 }
 
 } // namespace naocal

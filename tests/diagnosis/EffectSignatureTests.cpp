@@ -12,31 +12,32 @@ TEST_CASE("an effect's imprint is what it leaves after a calibration without it"
   const Questioned asked{set, false};
   const std::string label = GENERATE("encoderGain@LKneePitch", "elasticity@LKneePitch", "radialDistortion@top");
   CAPTURE(label);
-  const std::size_t candidate = *asked.inquiry.findCandidate(label);
+  const std::size_t candidate = *asked.candidateTests.findCandidate(label);
   const EffectSignature imprint =
-      computeSignatures({asked.measurements, asked.model, asked.fit}, asked.inquiry, {candidate}).front();
-  const CaptureSet perfect = perfectButFor(asked.inquiry.candidates()[candidate], imprint.size, asked, set);
+      computeSignatures({asked.measurements, asked.model, asked.fit}, asked.candidateTests, {candidate}).front();
+  const CaptureSet perfect = perfectButFor(asked.candidateTests.candidates()[candidate], imprint.size, asked, set);
   const Measurements measurements = buildMeasurements({perfect}, asked.measurements.robot);
 
   double squares = 0, corners = 0;
   const Residuals before{measurements, asked.model, asked.fit.noise};
-  for (const BoardResidual& sighting : before.boardResiduals(before.startState(asked.fit.unknowns))) {
-    squares += sighting.residual.squaredNorm();
-    corners += static_cast<double>(sighting.residual.cols());
+  for (const BoardResidual& observation : before.boardResiduals(before.startState(asked.fit.unknowns))) {
+    squares += observation.residual.squaredNorm();
+    corners += static_cast<double>(observation.residual.cols());
   }
   CHECK(imprint.beforePx ==
         Approx(std::sqrt(squares / corners)).epsilon(0.03)); // one picture per pose stands for three
 
-  CHECK(imprint.afterPx == Approx(calibratedAt(asked.inquiry.noise(), measurements, asked.model).rmsPx).epsilon(0.1));
+  CHECK(imprint.afterPx ==
+        Approx(calibratedAt(asked.candidateTests.noise(), measurements, asked.model).rmsPx).epsilon(0.1));
   CHECK(imprint.afterPx < imprint.beforePx);
 }
 
 TEST_CASE("an imprint shows the pictures that shift most, largest first") {
   // Proves the order and number that the page relies on.
   const Questioned asked{simulatedSet(8, 3), false};
-  const std::size_t candidate = *asked.inquiry.findCandidate("elasticity@LKneePitch");
+  const std::size_t candidate = *asked.candidateTests.findCandidate("elasticity@LKneePitch");
   const EffectSignature imprint =
-      computeSignatures({asked.measurements, asked.model, asked.fit}, asked.inquiry, {candidate}).front();
+      computeSignatures({asked.measurements, asked.model, asked.fit}, asked.candidateTests, {candidate}).front();
   CHECK(std::is_sorted(imprint.pictures.begin(), imprint.pictures.end(),
                        [](const auto& a, const auto& b) { return a.beforePx > b.beforePx; }));
   for (const std::size_t camera : {0, 1}) {

@@ -17,11 +17,12 @@ inline CaptureSet perfectButFor(const Term& term, const Eigen::VectorXd& size, c
     const auto boards =
         predictBoards(asked.measurements, picture, predictState(asked.measurements, model, picture, unknowns));
     for (std::size_t i = 0; i < boards.size(); ++i) {
-      const BoardObservation& sighting = picture.sightings[i];
-      const std::string& name = asked.measurements.targets[sighting.view.board()].name;
+      const BoardObservation& observation = picture.observations[i];
+      const std::string& name = asked.measurements.targets[observation.view.board()].name;
       for (BoardCorners& seen : *set.captures[picture.capture].corners) {
         for (std::size_t k = 0; seen.board == name && k < seen.ids.size(); ++k) {
-          const auto place = std::find(sighting.ids.begin(), sighting.ids.end(), seen.ids[k]) - sighting.ids.begin();
+          const auto place =
+              std::find(observation.ids.begin(), observation.ids.end(), seen.ids[k]) - observation.ids.begin();
           seen.uv[k] = boards[i].corners.col(place);
         }
       }

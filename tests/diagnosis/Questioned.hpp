@@ -13,16 +13,15 @@ namespace naocal {
 struct Questioned {
   Questioned(const CaptureSet& set, bool map, const std::vector<std::string>& with = {})
       : measurements{buildMeasurements({set}, loadRobot(configurationDirectory(), "V6"))},
-        model{buildModel(measurements, with)}, fit{calibrate(measurements, model)}, inquiry{{measurements, model, fit},
-                                                                                            testable(),
-                                                                                            {.draws = 0, .map = map}} {}
+        model{buildModel(measurements, with)}, fit{calibrate(measurements, model)},
+        candidateTests{{measurements, model, fit}, testable(), {.draws = 0, .map = map}} {}
 
   std::vector<Term> testable() const { return testableTerms(measurements, model); }
 
   Measurements measurements;
   Model model;
   CalibrationResult fit;
-  CandidateTests inquiry;
+  CandidateTests candidateTests;
 };
 
 } // namespace naocal

@@ -28,7 +28,7 @@ TEST_CASE("what a lens does stays within the pictures, what a joint does leaves 
   const auto [label, least, most] = GENERATE(
       table<std::string, double, double>({{"elasticity@LKneePitch", 0, 0.02}, {"radialDistortion@top", 0.25, 1}}));
   CAPTURE(label);
-  const Term& term = asked.inquiry.candidates()[*asked.inquiry.findCandidate(label)];
+  const Term& term = asked.candidateTests.candidates()[*asked.candidateTests.findCandidate(label)];
   const CaptureSet perfect =
       perfectButFor(term,
                     term.effect.unknowns.front().sigma *
@@ -73,7 +73,7 @@ TEST_CASE("a joint that was off in one pose stands out in what it would have to 
   const Questioned asked{bent, false}, before{plain, false};
   const auto pointsOf = [&](const Questioned& from) {
     const std::size_t motor = from.measurements.robot.jointIndex("LKneePitch").value();
-    const auto all = computeJointCorrections(from.measurements, from.inquiry);
+    const auto all = computeJointCorrections(from.measurements, from.candidateTests);
     return std::find_if(all.begin(), all.end(), [&](const SingleJointCorrection& one) { return one.motor == motor; })
         ->points;
   };

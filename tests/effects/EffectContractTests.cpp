@@ -28,9 +28,9 @@ struct Instance {
     instant.leftLoad = 1;
   }
   Eigen::VectorXd corrected(const Effect& effect, const std::vector<double>& values) const {
-    ModelState belief = drawn;
-    effect.correct(belief, instant, 0, values);
-    return belief.values;
+    ModelState modelState = drawn;
+    effect.correct(modelState, instant, 0, values);
+    return modelState.values;
   }
   /// Whether an unknown moves what is believed beside the others, these at their sigmas.
   bool shapes(const Effect& effect, std::size_t unknown) const {

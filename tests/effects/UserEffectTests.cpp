@@ -43,9 +43,9 @@ struct Bench {
     return "accepted";
   }
   double correction(const Effect& effect, std::size_t joint, const std::vector<double>& values) const {
-    ModelState belief = nominalState(robot, {robot.joints.size(), robot.lengths.size(), 0});
-    effect.correct(belief, instant, joint, values);
-    return belief.angle(joint);
+    ModelState modelState = nominalState(robot, {robot.joints.size(), robot.lengths.size(), 0});
+    effect.correct(modelState, instant, joint, values);
+    return modelState.angle(joint);
   }
   Robot robot = loadRobot(configurationDirectory(), "V6");
   RobotSample instant;

@@ -36,7 +36,7 @@ void seeAs(const Model& model, const Eigen::VectorXd& truth, Measurements& measu
   for (int round = 0; round < 4; ++round) {
     const Residuals residuals{measurements, model, fine};
     for (const BoardResidual& seen : residuals.boardResiduals(residuals.startState(truth))) {
-      CornerBlocks& corners = measurements.pictures[seen.picture].sightings[seen.sighting].corners;
+      CornerBlocks& corners = measurements.pictures[seen.picture].observations[seen.observation].corners;
       for (Eigen::Index i = 0; i < seen.predicted.cols(); ++i) {
         corners[static_cast<std::size_t>(i / 4)].u[i % 4] = seen.predicted(0, i);
         corners[static_cast<std::size_t>(i / 4)].v[i % 4] = seen.predicted(1, i);

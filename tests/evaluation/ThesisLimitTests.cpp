@@ -30,9 +30,9 @@ Eigen::MatrixXd cornerSlopes(const ThesisTrial& trial, const ThesisExperiment& s
     std::vector<double> seen;
     const Eigen::Isometry3d cameraFromSole =
         (drawn.soleFromTorso(joints, SupportFoot::left) * drawn.torsoFromCamera(picture.camera, joints)).inverse();
-    for (const BoardObservation& sighting : picture.sightings) {
-      const Board& board = stage.allObservations().targets[sighting.view.board()].board;
-      for (const int id : sighting.ids) {
+    for (const BoardObservation& observation : picture.observations) {
+      const Board& board = stage.allObservations().targets[observation.view.board()].board;
+      for (const int id : observation.ids) {
         const Eigen::Vector3d point = board.points[static_cast<std::size_t>(id)];
         const auto uv = projectPoint(lens, cameraFromSole * (isometryFromPlacement(*board.placement) * point));
         seen.push_back(uv.value().x());

@@ -14,7 +14,7 @@ TEST_CASE("poses of a robot that lacks nothing miss its model by as much as thei
     double mean = 0;
     for (int seed = 1; seed <= robots; ++seed) {
       const Questioned asked{simulatedSet(static_cast<std::size_t>(poses), static_cast<std::uint64_t>(seed)), false};
-      const PoseMisfit misfit = testPoseMisfit(asked.inquiry.problem(), asked.fit.noise);
+      const PoseMisfit misfit = testPoseMisfit(asked.candidateTests.problem(), asked.fit.noise);
       mean += misfit.chi2 / misfit.freedom / robots;
     }
     INFO(poses << " poses: " << mean);

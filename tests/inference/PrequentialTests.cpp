@@ -21,22 +21,23 @@ Questioned kneeReads(const std::function<double(double)>& error) {
 
 /// Of a drift of the left knee.
 Prequential driftOf(const Questioned& asked) {
-  return scorePrequentially(asked.inquiry.problem(), asked.fit.noise, sortPosesByTime(asked.measurements),
-                            asked.inquiry.findCandidate("timeDrift@LKneePitch").value());
+  return scorePrequentially(asked.candidateTests.problem(), asked.fit.noise, sortPosesByTime(asked.measurements),
+                            asked.candidateTests.findCandidate("timeDrift@LKneePitch").value());
 }
 
 double stepOf(const Questioned& asked) {
   double best = 0;
-  for (std::size_t cell = 0; cell < asked.inquiry.map().cells.size(); ++cell) {
-    if (asked.inquiry.map().cells[cell].shape == DriverBasis::Shape::step) {
-      best = std::max(best, asked.inquiry.curveEvidence(asked.inquiry.mounts().size() + cell).bayes);
+  for (std::size_t cell = 0; cell < asked.candidateTests.map().cells.size(); ++cell) {
+    if (asked.candidateTests.map().cells[cell].shape == DriverBasis::Shape::step) {
+      best = std::max(best, asked.candidateTests.curveEvidence(asked.candidateTests.mounts().size() + cell).bayes);
     }
   }
   return best;
 }
 
 double evidenceOfDrift(const Questioned& asked) {
-  return asked.inquiry.candidateEvidence(asked.inquiry.findCandidate("timeDrift@LKneePitch").value()).bayes;
+  return asked.candidateTests.candidateEvidence(asked.candidateTests.findCandidate("timeDrift@LKneePitch").value())
+      .bayes;
 }
 
 } // namespace

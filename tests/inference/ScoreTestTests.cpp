@@ -23,7 +23,7 @@ TEST_CASE("a score test's fall of chi2 is what adding the candidate gains") {
   // Proves projection, whitening and bookkeeping of ScoreTest against the dense normal equations of the model with
   // that one candidate, for every candidate. The linearisation itself is the residuals' and tested there.
   const Questioned asked{simulatedSet(8, 3), false};
-  const ScoreProblem& problem = asked.inquiry.problem();
+  const ScoreProblem& problem = asked.candidateTests.problem();
   const Noise noise{asked.fit.noise.pixel, asked.fit.noise.encoder, 4e-4};
   const NullModel alone{problem, noise};
   const ScoreTest tests{alone};
@@ -47,7 +47,7 @@ TEST_CASE("a score test's fall of chi2 is what adding the candidate gains") {
   std::vector<Eigen::Index> own(static_cast<std::size_t>(problem.ownCount()));
   std::iota(own.begin(), own.end(), 0);
   int compared = 0;
-  for (std::size_t i = 0; i < asked.inquiry.candidates().size(); ++i) {
+  for (std::size_t i = 0; i < asked.candidateTests.candidates().size(); ++i) {
     if (tests.keptFraction(i) < 1e-2 || tests.degreesOfFreedom(i) < problem.groups[i].count) {
       continue; // absorbed in part: then the dense equations are all but singular
     }
@@ -56,7 +56,7 @@ TEST_CASE("a score test's fall of chi2 is what adding the candidate gains") {
       with.push_back(problem.ownCount() + problem.groups[i].first + k);
     }
     const double gain = least(hessian, gradient, own) - least(hessian, gradient, with);
-    CAPTURE(asked.inquiry.candidates()[i].label());
+    CAPTURE(asked.candidateTests.candidates()[i].label());
     CHECK(falls[static_cast<Eigen::Index>(i)] == Approx(gain).epsilon(1e-5).margin(1e-5));
     ++compared;
   }
@@ -68,7 +68,7 @@ TEST_CASE("pure noise lowers chi2 by as much as a candidate has unknowns") {
   // for candidates and for curves of the map, pose noise included. It does not prove that a robot's noise is of that
   // kind.
   const Questioned asked{simulatedSet(8, 3), true};
-  const ScoreProblem& problem = asked.inquiry.problem();
+  const ScoreProblem& problem = asked.candidateTests.problem();
   const Noise noise{asked.fit.noise.pixel, asked.fit.noise.encoder, 6e-4};
   constexpr Eigen::Index draws = 3000;
   const NullModel alone{problem, noise};
@@ -81,7 +81,7 @@ TEST_CASE("pure noise lowers chi2 by as much as a candidate has unknowns") {
     if (freedom > 0) {
       const double error = falls.row(static_cast<Eigen::Index>(i)).mean() - freedom;
       const std::string name =
-          i < asked.inquiry.candidates().size() ? asked.inquiry.candidates()[i].label() : "a curve";
+          i < asked.candidateTests.candidates().size() ? asked.candidateTests.candidates()[i].label() : "a curve";
       CAPTURE(name, freedom, error);
       CHECK(std::abs(error) < 5 * std::sqrt(2 * freedom / draws));
       worst = std::max(worst, std::abs(error) / std::sqrt(2 * freedom / draws));
@@ -115,15 +115,15 @@ TEST_CASE("how far an effect moves corners is what predictions show when it is p
   // Proves `movedPx` against predictions themselves, with and without a small effect and the own unknowns' answer to it
   // (by the dense normal equations). They are linear, and the weights of the robust loss near 1, within 4 %.
   const Questioned asked{simulatedSet(8, 3), false};
-  const ScoreProblem& problem = asked.inquiry.problem();
+  const ScoreProblem& problem = asked.candidateTests.problem();
   const NullModel alone{problem, asked.fit.noise};
   const ScoreTest tests{alone};
   for (const char* label : {"elasticity@LKneePitch", "focalLength@top", "boardScale@A"}) {
-    const std::size_t candidate = asked.inquiry.findCandidate(label).value();
+    const std::size_t candidate = asked.candidateTests.findCandidate(label).value();
     const ColumnGroup& group = problem.groups[candidate];
     const Eigen::VectorXd sizes = 0.1 * problem.plausible.segment(group.first, group.count);
     Model larger = asked.model;
-    larger.add(asked.inquiry.candidates()[candidate]);
+    larger.add(asked.candidateTests.candidates()[candidate]);
     const Residuals residuals{asked.measurements, larger, asked.fit.noise, asked.fit.loss};
     Eigen::VectorXd unknowns = Eigen::VectorXd::Zero(problem.ownCount() + group.count);
     unknowns.head(problem.ownCount()) = asked.fit.unknowns;

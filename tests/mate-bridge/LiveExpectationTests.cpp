@@ -46,9 +46,9 @@ Json offsets(double value, const std::string& unset = "") {
 }
 
 LiveExpectation expectation(const Json& offsets, const Eigen::VectorXd& angles,
-                            const LiveCamera& belief = turnedCamera()) {
-  return predictLiveError(v6(), angles, "top", belief, onFloorAhead,
-                          findUncalibrated(v6(), offsets, {{"top", belief}}));
+                            const LiveCamera& modelState = turnedCamera()) {
+  return predictLiveError(v6(), angles, "top", modelState, onFloorAhead,
+                          findUncalibrated(v6(), offsets, {{"top", modelState}}));
 }
 
 } // namespace

@@ -81,7 +81,7 @@ TEST_CASE("a board may be off as far as a plan says", "[slow]") {
   const PlanEvaluator before{v6(), good.boards, scene.cameras, good.options};
   for (const ProposedPose& pose : good.poses) {
     poses.push_back({before.scene().nominalState(), {}, 1});
-    poses.back().belief.values.head(pose.pose.angles.size()) = pose.pose.angles;
+    poses.back().modelState.values.head(pose.pose.angles.size()) = pose.pose.angles;
   }
   const double allowed = 1.1 * before.worstSigma(before.totalInformation(poses));
   for (std::size_t i = 0; i < good.boards.size(); ++i) {

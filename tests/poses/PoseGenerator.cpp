@@ -123,11 +123,11 @@ TEST_CASE("robots with unknown offsets stand in the planned poses") {
   int standing = 0;
   const auto planned = poses(SupportFoot::left);
   for (const PlannedPose& pose : planned) {
-    ModelState belief = nominalState(robot, StateLayout{robot.joints.size(), robot.lengths.size(), 0});
-    belief.values.head(pose.angles.size()) = pose.angles;
+    ModelState modelState = nominalState(robot, StateLayout{robot.joints.size(), robot.lengths.size(), 0});
+    modelState.values.head(pose.angles.size()) = pose.angles;
     int here = 0;
     for (int draw = 0; draw < 1000; ++draw) {
-      here += balancedFraction(robot, belief, SupportFoot::left, {radians(6.5), 1, 1}, random) ? 1 : 0;
+      here += balancedFraction(robot, modelState, SupportFoot::left, {radians(6.5), 1, 1}, random) ? 1 : 0;
     }
     CHECK(here > 970);
     standing += here;
@@ -186,9 +186,9 @@ TEST_CASE("the information of a pose is that of its pictures") {
   };
 
   const PlanningScene scene{robot, SupportFoot::left, boards(), cameras(), {}};
-  ModelState belief = scene.nominalState();
-  belief.values.head(pose.angles.size()) = pose.angles;
-  const Eigen::MatrixXd information = scene.information(belief, forwardKinematics(robot, belief));
+  ModelState modelState = scene.nominalState();
+  modelState.values.head(pose.angles.size()) = pose.angles;
+  const Eigen::MatrixXd information = scene.information(modelState, forwardKinematics(robot, modelState));
   REQUIRE(information.rows() == 24 + 6 + 9);
   std::mt19937_64 random{6};
   std::normal_distribution<double> normal;

@@ -76,9 +76,9 @@ TEST_CASE("candidates are the same on any number of cores, and each test only re
   const PoseValidity checks{v6(), wanted};
   std::mt19937_64 random{5};
   for (std::size_t i = 0; i < once.attitudes.size(); ++i) {
-    const ModelState& belief = once.attitudes[i].belief;
-    CHECK(belief.values == again.attitudes[i].belief.values);
-    const LinkPoses torsoFromLink = forwardKinematics(v6(), belief);
+    const ModelState& modelState = once.attitudes[i].modelState;
+    CHECK(modelState.values == again.attitudes[i].modelState.values);
+    const LinkPoses torsoFromLink = forwardKinematics(v6(), modelState);
     CHECK(isBalanced(v6(), torsoFromLink, wanted.supportFoot, wanted.footing));
     CHECK_FALSE(checks.selfCollides(torsoFromLink));
     CHECK(once.attitudes[i].standing >= 0.99);

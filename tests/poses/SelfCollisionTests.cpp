@@ -16,12 +16,12 @@ struct Turn {
 
 bool touches(const std::vector<Turn>& turns) {
   const Robot& robot = v6();
-  ModelState belief = nominalState(robot, StateLayout{robot.joints.size(), robot.lengths.size(), 0});
-  moveToRest(robot, belief);
+  ModelState modelState = nominalState(robot, StateLayout{robot.joints.size(), robot.lengths.size(), 0});
+  moveToRest(robot, modelState);
   for (const Turn& turn : turns) {
-    belief.angle(*robot.jointIndex(turn.joint)) = radians(turn.degrees);
+    modelState.angle(*robot.jointIndex(turn.joint)) = radians(turn.degrees);
   }
-  return SelfCollision{robot}.collides(forwardKinematics(robot, belief));
+  return SelfCollision{robot}.collides(forwardKinematics(robot, modelState));
 }
 
 } // namespace

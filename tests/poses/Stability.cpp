@@ -13,13 +13,15 @@ namespace {
 
 /// On the left foot, the right one drawn up; `ankleRoll` [degrees] leans the whole robot.
 ModelState onLeftFoot(const Robot& robot, double ankleRoll) {
-  ModelState belief = nominalState(robot, StateLayout{robot.joints.size(), robot.lengths.size(), 0});
-  const auto set = [&](const char* joint, double angle) { belief.angle(*robot.jointIndex(joint)) = radians(angle); };
+  ModelState modelState = nominalState(robot, StateLayout{robot.joints.size(), robot.lengths.size(), 0});
+  const auto set = [&](const char* joint, double angle) {
+    modelState.angle(*robot.jointIndex(joint)) = radians(angle);
+  };
   set("RHipPitch", -30);
   set("RKneePitch", 60);
   set("RAnklePitch", -30);
   set("LAnkleRoll", ankleRoll);
-  return belief;
+  return modelState;
 }
 
 } // namespace
@@ -125,11 +127,11 @@ TEST_CASE("a robot on both feet stands where its centre of mass is between them,
   // they lie on the plane between them. The soles are 155 mm long, so that no one is 80 mm inside both ends.
   const Robot robot = v6();
   const auto leaning = [&](double ankleRoll) {
-    ModelState belief = nominalState(robot, StateLayout{robot.joints.size(), robot.lengths.size(), 0});
+    ModelState modelState = nominalState(robot, StateLayout{robot.joints.size(), robot.lengths.size(), 0});
     for (const char* joint : {"LAnkleRoll", "RAnkleRoll"}) {
-      belief.angle(*robot.jointIndex(joint)) = radians(ankleRoll);
+      modelState.angle(*robot.jointIndex(joint)) = radians(ankleRoll);
     }
-    return forwardKinematics(robot, belief);
+    return forwardKinematics(robot, modelState);
   };
   CHECK_FALSE(isBalanced(robot, leaning(0), SupportFoot::left, {}));
   CHECK(isBalanced(robot, leaning(0), SupportFoot::both, {0.04, 0}));

@@ -9,8 +9,8 @@ TEST_CASE("a browser draws the whole report without complaint", "[browser]") {
   // Proves that the scripts run to their end, with hostile names too, and report no error. It does not prove that
   // the figures are beautiful.
   CalibratedFolder calibrated;
-  for (nlohmann::json& sighting : calibrated.result["sightings"]) {
-    sighting["pose"] = "<img src=x onerror=console.error('broken')>" + sighting["pose"].get<std::string>();
+  for (nlohmann::json& observation : calibrated.result["sightings"]) {
+    observation["pose"] = "<img src=x onerror=console.error('broken')>" + observation["pose"].get<std::string>();
   }
   const auto output = drawnByBrowser(calibrated.page());
   if (!output) {

@@ -44,16 +44,16 @@ TEST_CASE("a report shows every corner of every picture as the result has it") {
   }
   REQUIRE(count == calibrated.result["corners"].get<std::size_t>());
   REQUIRE(corners.size() == count);
-  for (const json& sighting : calibrated.result["sightings"]) {
-    for (std::size_t i = 0; i < sighting["ids"].size(); ++i) {
-      const auto& [board, place] = corners.at({sighting["capture"], sighting["board"], sighting["ids"][i]});
+  for (const json& observation : calibrated.result["sightings"]) {
+    for (std::size_t i = 0; i < observation["ids"].size(); ++i) {
+      const auto& [board, place] = corners.at({observation["capture"], observation["board"], observation["ids"][i]});
       for (std::size_t axis = 0; axis < 2; ++axis) {
-        const double measured = sighting["measured"][i][axis];
+        const double measured = observation["measured"][i][axis];
         CHECK(board["measured"][2 * place + axis].get<double>() == Approx(measured).margin(0.051));
         CHECK(board["reported"][2 * place + axis].get<double>() ==
-              Approx(sighting["predicted"][i][axis].get<double>() - measured).margin(0.00051));
+              Approx(observation["predicted"][i][axis].get<double>() - measured).margin(0.00051));
         CHECK(board["fitted"][2 * place + axis].get<double>() ==
-              Approx(sighting["fitted"][i][axis].get<double>() - measured).margin(0.00051));
+              Approx(observation["fitted"][i][axis].get<double>() - measured).margin(0.00051));
       }
     }
   }
@@ -159,8 +159,8 @@ TEST_CASE("names cannot become part of the page's code") {
   CalibratedFolder calibrated;
   const std::string harmless = calibrated.page();
   const std::string name = "</script><script>alert('{{style}}')</script><!-- \" \\ \xff";
-  for (json& sighting : calibrated.result["sightings"]) {
-    sighting["board"] = sighting["pose"] = name;
+  for (json& observation : calibrated.result["sightings"]) {
+    observation["board"] = observation["pose"] = name;
   }
   calibrated.result["warnings"] = json::array({name});
   writeAtomically(calibrated.resultFile(), calibrated.result.dump(-1, ' ', false, json::error_handler_t::replace));

@@ -107,8 +107,8 @@ TEST_CASE("a picture outside the set's folder is left where it is") {
   writeNoise(calibrated.captures() / ".." / "private.png", 64, 48);
   const std::string outside = (calibrated.captures() / ".." / "private.png").string();
   for (const std::string& path : {std::string{"../private.png"}, outside}) {
-    for (json& sighting : calibrated.result["sightings"]) {
-      sighting["image"] = path;
+    for (json& observation : calibrated.result["sightings"]) {
+      observation["image"] = path;
     }
     CHECK_FALSE(hasPhotograph(shown(calibrated.page())["pictures"][0]));
   }

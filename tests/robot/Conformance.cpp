@@ -67,11 +67,11 @@ TEST_CASE("transforms, centres of mass and torques agree with an independent sim
   const auto& poses = conformance["poses"];
   REQUIRE(poses.size() == 12);
   for (const json& pose : poses) {
-    ModelState belief = nominalState(robot, StateLayout{robot.joints.size(), robot.lengths.size(), 0});
+    ModelState modelState = nominalState(robot, StateLayout{robot.joints.size(), robot.lengths.size(), 0});
     for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
-      belief.angle(joint) = pose["joints"].value(robot.joints[joint].name, robot.joints[joint].restAngle);
+      modelState.angle(joint) = pose["joints"].value(robot.joints[joint].name, robot.joints[joint].restAngle);
     }
-    const LinkPoses torsoFromLink = forwardKinematics(robot, belief);
+    const LinkPoses torsoFromLink = forwardKinematics(robot, modelState);
     const std::size_t sole = robot.findSole(pose["supportFoot"].get<std::string>())->link;
     const RigidTransform soleFromTorso = torsoFromLink[sole].inverse();
     CHECK(distance(soleFromTorso, transform(pose["soleFromTorso"])) < 1e-9);
@@ -79,7 +79,8 @@ TEST_CASE("transforms, centres of mass and torques agree with an independent sim
     CHECK(distance(soleFromHead, transform(pose["soleFromHead"])) < 1e-9);
     for (const auto& [camera, key] : {std::pair{"top", "soleFromOpticalTop"}, {"bottom", "soleFromOpticalBottom"}}) {
       const CameraMount& mount = robot.cameras[*robot.cameraIndex(camera)];
-      const RigidTransform soleFromOptical = soleFromTorso * torsoFromLink[mount.link] * linkFromOptical(mount, belief);
+      const RigidTransform soleFromOptical =
+          soleFromTorso * torsoFromLink[mount.link] * linkFromOptical(mount, modelState);
       CHECK(distance(soleFromOptical, transform(pose[key])) < 1e-9);
     }
 
@@ -88,7 +89,7 @@ TEST_CASE("transforms, centres of mass and torques agree with an independent sim
       CHECK(comInSole[i] == Approx(pose["comInSole"][i].get<double>()).epsilon(0).margin(1e-9));
     }
     const Eigen::Vector3d up = soleFromTorso.rotation.row(2); // the sole lies flat: up is its z axis
-    const Eigen::VectorXd torques = gravityTorques(robot, belief, torsoFromLink, sole, up);
+    const Eigen::VectorXd torques = gravityTorques(robot, modelState, torsoFromLink, sole, up);
     for (const auto& [name, torque] : pose["torque"].items()) {
       CAPTURE(name);
       CHECK(torques[static_cast<Eigen::Index>(*robot.jointIndex(name))] ==

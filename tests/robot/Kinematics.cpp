@@ -89,11 +89,11 @@ TEST_CASE("a robot that is no NAO runs through the same code") {
     "joints": {"slew": {"axis": [0, 0, 0.5], "limitsDegrees": [-90, 90], "maxSpeedDegreesPerSecond": 10}},
     "cameras": {"tip": {"link": "Jib", "originMillimetres": [500, 0, 0], "pitchDegrees": 90}}})");
   const Robot crane = loadRobot(folder.path() / "crane.json");
-  ModelState belief = nominalState(crane, StateLayout{1, 1, 0});
-  belief.angle(0) = radians(90);
-  belief.length(0) = 2.5; // stretched
-  const LinkPoses baseFromLink = forwardKinematics(crane, belief);
-  const RigidTransform baseFromOptical = baseFromLink[1] * linkFromOptical(crane.cameras[0], belief);
+  ModelState modelState = nominalState(crane, StateLayout{1, 1, 0});
+  modelState.angle(0) = radians(90);
+  modelState.length(0) = 2.5; // stretched
+  const LinkPoses baseFromLink = forwardKinematics(crane, modelState);
+  const RigidTransform baseFromOptical = baseFromLink[1] * linkFromOptical(crane.cameras[0], modelState);
   checkPoint(baseFromOptical.translation, {0.1, 0.5, 2.5});
   checkPoint(baseFromOptical.rotation.col(2), {0, 0, -1}); // it looks down,
   checkPoint(baseFromOptical.rotation.col(0), {1, 0, 0});  // its picture's right is the base's forward

@@ -9,17 +9,18 @@ using namespace naocal;
 namespace {
 
 ModelState randomBelief(const Robot& robot, std::mt19937& random) {
-  ModelState belief = nominalState(robot, StateLayout{robot.joints.size(), robot.lengths.size(), 0});
+  ModelState modelState = nominalState(robot, StateLayout{robot.joints.size(), robot.lengths.size(), 0});
   for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
     const AngleRange limits = robot.joints[joint].limits;
-    belief.angle(joint) = std::uniform_real_distribution{limits.lower, limits.upper}(random);
+    modelState.angle(joint) = std::uniform_real_distribution{limits.lower, limits.upper}(random);
   }
-  return belief;
+  return modelState;
 }
 
 /// U [J] with `heldLink` held still: the weight times the centre of mass's height over it.
-double potential(const Robot& robot, const ModelState& belief, std::size_t heldLink, const Eigen::Vector3d& upInHeld) {
-  const LinkPoses torsoFromLink = forwardKinematics(robot, belief);
+double potential(const Robot& robot, const ModelState& modelState, std::size_t heldLink,
+                 const Eigen::Vector3d& upInHeld) {
+  const LinkPoses torsoFromLink = forwardKinematics(robot, modelState);
   const CentreOfMass centre = centreOfMass(robot, torsoFromLink);
   return gravity * centre.mass * upInHeld.dot(torsoFromLink[heldLink].inverse() * centre.inTorso);
 }
@@ -37,13 +38,13 @@ TEST_CASE("a gravity torque is the slope of the potential, whichever link is hel
   for (const char* held : {"Torso", "LSole", "RSole", "LWrist"}) {
     const std::size_t heldLink = *robot.linkIndex(held);
     for (int attitude = 0; attitude < 20; ++attitude) {
-      const ModelState belief = randomBelief(robot, random);
+      const ModelState modelState = randomBelief(robot, random);
       const Eigen::Vector3d upInHeld = Eigen::Vector3d{normal(random), normal(random), normal(random)}.normalized();
-      const LinkPoses torsoFromLink = forwardKinematics(robot, belief);
+      const LinkPoses torsoFromLink = forwardKinematics(robot, modelState);
       const Eigen::VectorXd torques =
-          gravityTorques(robot, belief, torsoFromLink, heldLink, torsoFromLink[heldLink].rotation * upInHeld);
+          gravityTorques(robot, modelState, torsoFromLink, heldLink, torsoFromLink[heldLink].rotation * upInHeld);
       for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
-        ModelState more = belief, less = belief;
+        ModelState more = modelState, less = modelState;
         for (std::size_t moved = 0; moved < robot.joints.size(); ++moved) {
           if (robot.joints[moved].motor == robot.joints[joint].motor) {
             more.angle(moved) += step;
@@ -63,8 +64,8 @@ TEST_CASE("the centre of mass of the standing robot lies in its middle plane") {
   // Proves that left and right masses mirror each other in V6's drawing, and that all of them are counted (their sum is
   // HULKs' own). Where in the middle plane the centre lies is proved by the agreement with the independent simulator.
   const Robot robot = v6();
-  const ModelState belief = nominalState(robot, StateLayout{robot.joints.size(), robot.lengths.size(), 0});
-  const CentreOfMass centre = centreOfMass(robot, forwardKinematics(robot, belief));
+  const ModelState modelState = nominalState(robot, StateLayout{robot.joints.size(), robot.lengths.size(), 0});
+  const CentreOfMass centre = centreOfMass(robot, forwardKinematics(robot, modelState));
   CHECK(centre.mass == Approx(5.35979).epsilon(1e-12));
   CHECK(centre.inTorso.y() == Approx(0).margin(1e-12));
 }
@@ -73,13 +74,13 @@ TEST_CASE("lifting the head against gravity takes the moment of its weight") {
   // Proves sign and size on a case with one lever: head level, the torso upright. Forward of the pitch axis the head
   // would pull the nose down, that is HeadPitch up; V6's head has its centre 1.12 mm behind it and pulls up.
   const Robot robot = v6();
-  const ModelState belief = nominalState(robot, StateLayout{robot.joints.size(), robot.lengths.size(), 0});
+  const ModelState modelState = nominalState(robot, StateLayout{robot.joints.size(), robot.lengths.size(), 0});
   const auto torque = [&](const ModelState& at) {
     return gravityTorques(robot, at, forwardKinematics(robot, at), *robot.linkIndex("LSole"),
                           Eigen::Vector3d::UnitZ())[static_cast<Eigen::Index>(*robot.jointIndex("HeadPitch"))];
   };
-  CHECK(torque(belief) == Approx(-0.65973 * 9.81 * 0.00112));
-  ModelState nodding = belief;
+  CHECK(torque(modelState) == Approx(-0.65973 * 9.81 * 0.00112));
+  ModelState nodding = modelState;
   nodding.angle(*robot.jointIndex("HeadPitch")) = std::acos(-1.0) / 2; // its centre 52.58 mm in front of the axis
   CHECK(torque(nodding) == Approx(0.65973 * 9.81 * 0.05258));
 }

@@ -92,11 +92,11 @@ TEST_CASE("the simulator's mechanics and the calibration's agree in any attitude
       REQUIRE((ours[link].translation() - theirs[link].translation).norm() < 1e-12);
     }
     REQUIRE((body.centreOfMass(ours) - centreOfMass(robot, theirs).inTorso).norm() < 1e-12);
-    ModelState belief = nominalState(robot, StateLayout{robot.joints.size(), robot.lengths.size(), 0});
-    belief.values.head(angles.size()) = angles;
+    ModelState modelState = nominalState(robot, StateLayout{robot.joints.size(), robot.lengths.size(), 0});
+    modelState.values.head(angles.size()) = angles;
     const std::size_t sole = robot.findSole(attitude % 2 == 0 ? "left" : "right")->link;
     const Eigen::Vector3d up = theirs[sole].rotation.col(2);
-    const Eigen::VectorXd torques = gravityTorques(robot, belief, theirs, sole, up);
+    const Eigen::VectorXd torques = gravityTorques(robot, modelState, theirs, sole, up);
     REQUIRE((body.gravityTorques(angles, sole) - torques).cwiseAbs().maxCoeff() < 1e-6);
   }
 }

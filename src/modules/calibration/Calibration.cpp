@@ -27,14 +27,14 @@ struct Answer {
 bool estimatePixelNoise(const Measurements& measurements, const Model& model, const Fit& fit,
                         const CalibrationOptions& options, Noise& noise) {
   const Residuals residuals{measurements, model, fit.noise, fit.loss};
-  const std::vector<BoardResidual> sightings = residuals.boardResiduals(fit.minimum.state);
-  if (const auto repeats = estimatePixelNoiseFromRepeats(measurements, sightings)) {
+  const std::vector<BoardResidual> observations = residuals.boardResiduals(fit.minimum.state);
+  if (const auto repeats = estimatePixelNoiseFromRepeats(measurements, observations)) {
     noise.pixel = repeats->anew;
     noise.pixelAlike = repeats->alike;
     return true;
   }
   if (!options.pixelGiven) {
-    noise.pixel = estimatePixelNoiseWithinImages(sightings).value_or(noise.pixel);
+    noise.pixel = estimatePixelNoiseWithinImages(observations).value_or(noise.pixel);
   }
   return false;
 }
@@ -74,7 +74,7 @@ Answer findAnswer(const Measurements& measurements, const Model& model, const Ca
   return answer;
 }
 
-/// Excludes, one at a time, sightings whose board was displaced beyond doubt under any explanation. Returns the
+/// Excludes, one at a time, observations whose board was displaced beyond doubt under any explanation. Returns the
 /// remaining measurements, or nothing if none was excluded.
 std::optional<Measurements> excludeMovedBoards(const Measurements& measurements, const Model& model,
                                                const CalibrationOptions& options, Answer& answer) {

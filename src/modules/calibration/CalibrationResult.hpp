@@ -25,7 +25,7 @@ struct CalibrationOptions {
   Eigen::Index draws = 199;                   // bootstrap draws of pure noise for the p-value
   std::uint64_t drawSeed = 1;
   bool robust = true;           // downweights and lists doubtful corners
-  bool excludeDisplaced = true; // if robust, also excludes sightings whose board was displaced
+  bool excludeDisplaced = true; // if robust, also excludes observations whose board was displaced
   bool alternate = false;       // alternates joints and cameras as in the thesis, instead of a joint fit
   int restarts = 0;             // additional random starts; the lowest cost wins
   std::uint64_t seed = 1;
@@ -73,11 +73,11 @@ struct WeakDirection {
   std::string sentence;
 };
 
-/// A corner or a whole sighting that disagrees with the rest. Outliers are kept and always listed.
+/// A corner or a whole observation that disagrees with the rest. Outliers are kept and always listed.
 struct Outlier {
-  std::size_t picture = 0, sighting = 0;
-  std::vector<int> corners; // corner ids; all ids of the sighting if `whole`
-  bool whole = false;       // most of the sighting disagrees: the board or robot was moved
+  std::size_t picture = 0, observation = 0;
+  std::vector<int> corners; // corner ids; all ids of the observation if `whole`
+  bool whole = false;       // most of the observation disagrees: the board or robot was moved
   double distance = 0;      // rms residual of the outlying corners [px]
 };
 
@@ -105,8 +105,8 @@ struct CalibrationResult {
   std::vector<Estimate> estimates; // one per unknown
   Eigen::MatrixXd covariance;      // of the unknowns, scaled by `misfit`
   Residuals::State state;
-  std::vector<BoardResidual> sightings;          // at the estimate, including the joints' deflections
-  std::vector<BoardResidual> withReportedAngles; // the same sightings, with joint angles as read
+  std::vector<BoardResidual> residuals;          // at the estimate, including the joints' deflections
+  std::vector<BoardResidual> withReportedAngles; // the same observations, with joint angles as read
   Noise noise;                                   // before scaling by `sigmaScale`
   std::string noiseSource;                       // "repeats" or "configured"
   Loss loss;

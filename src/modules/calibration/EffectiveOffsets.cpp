@@ -1,5 +1,6 @@
 #include "calibration/EffectiveOffsets.hpp"
 
+#include "effects/Catalogue.hpp"
 #include "estimation/DriverState.hpp"
 #include "estimation/EffectJacobian.hpp"
 #include "math/LinearAlgebra.hpp"
@@ -25,17 +26,17 @@ std::vector<EffectiveOffset> effectiveOffsets(const FittedModel& fitted) {
   const Robot& robot = fitted.measurements.robot;
   std::map<std::size_t, Sum> sums; // by motor
   for (const ImageObservation& picture : fitted.measurements.pictures) {
-    if (picture.sightings.empty()) {
+    if (picture.observations.empty()) {
       continue;
     }
-    const ModelState belief = predictState(fitted.measurements, fitted.model, picture, fitted.fit.unknowns);
+    const ModelState modelState = predictState(fitted.measurements, fitted.model, picture, fitted.fit.unknowns);
     const std::vector<StateDerivative> all =
         evaluateJacobian(fitted.measurements, fitted.model, picture, fitted.fit.unknowns);
     for (const std::size_t joint : observedJoints(robot, picture)) {
       Sum& sum =
           sums.try_emplace(robot.joints[joint].motor, Sum{0, Eigen::VectorXd::Zero(fitted.fit.unknowns.size()), 0})
               .first->second;
-      sum.value += picture.nominal.angle(joint) - belief.angle(joint);
+      sum.value += picture.nominal.angle(joint) - modelState.angle(joint);
       ++sum.count;
       for (const StateDerivative& slope : all) {
         sum.gradient[eigenIndex(slope.unknown)] -=
@@ -45,7 +46,7 @@ std::vector<EffectiveOffset> effectiveOffsets(const FittedModel& fitted) {
   }
   std::vector<EffectiveOffset> offsets;
   for (const Term& term : fitted.model.terms()) {
-    if (const auto found = sums.find(term.site); term.effect.name == "jointOffset" && found != sums.end()) {
+    if (const auto found = sums.find(term.site); term.effect.name == effectName::jointOffset && found != sums.end()) {
       const Sum& sum = found->second;
       offsets.push_back({term.place, sum.value / sum.count,
                          std::sqrt(sum.gradient.dot(fitted.fit.covariance * sum.gradient)) / sum.count,

@@ -71,11 +71,11 @@ struct Quantile {
 constexpr Quantile medianCorner{0.5, 1.17741}, farCorner{0.9, 2.14597};
 
 /// Noise per axis [px] at which `quantile.share` of all corners lies within the observed quantile.
-double spreadOf(const std::vector<BoardResidual>& sightings, const Quantile& quantile) {
+double spreadOf(const std::vector<BoardResidual>& observations, const Quantile& quantile) {
   std::vector<double> distances;
-  for (const BoardResidual& sighting : sightings) {
-    for (Eigen::Index i = 0; i < sighting.weight.size(); ++i) {
-      const double distance = sighting.residual.col(i).norm();
+  for (const BoardResidual& observation : observations) {
+    for (Eigen::Index i = 0; i < observation.weight.size(); ++i) {
+      const double distance = observation.residual.col(i).norm();
       distances.push_back(std::isfinite(distance) ? distance : std::numeric_limits<double>::infinity());
     }
   }
@@ -85,20 +85,16 @@ double spreadOf(const std::vector<BoardResidual>& sightings, const Quantile& qua
   return *there / quantile.distance;
 }
 
-double lossScale(const std::vector<BoardResidual>& sightings, double pixelNoise) {
+double lossScale(const std::vector<BoardResidual>& observations, double pixelNoise) {
   constexpr double harmless = 0.3; // [px]: scatter of corners of printed boards; lower bound of the loss scale
-  return std::max({1.0, spreadOf(sightings, medianCorner) / pixelNoise, harmless / pixelNoise});
+  return std::max({1.0, spreadOf(observations, medianCorner) / pixelNoise, harmless / pixelNoise});
 }
 
 /// rms distance of all corners from their prediction at the joint angles as read [px].
 double rmsAsReported(const Measurements& measurements, const Model& model, const Fit& fit) {
   const Residuals residuals{measurements, model, fit.noise, fit.loss};
-  double squares = 0, count = 0;
-  for (const BoardResidual& sighting : residuals.boardResiduals(residuals.startState(fit.minimum.state.unknowns))) {
-    squares += sighting.residual.squaredNorm();
-    count += static_cast<double>(sighting.residual.cols());
-  }
-  return std::sqrt(squares / count);
+  const auto asRead = residuals.startState(fit.minimum.state.unknowns);
+  return summarizeDistances(collectDistances(residuals.boardResiduals(asRead))).rmsPx;
 }
 
 /// Misfit variance per axis [px^2] beyond the noise floor, joint angles as read, from the 90 % quantile of the
@@ -222,14 +218,15 @@ Fit fitRobustly(const Measurements& measurements, const Model& model, const Nois
   return from;
 }
 
-bool hasLostWeight(const BoardResidual& sighting) {
-  return sighting.weight.size() > 1 && 2 * (sighting.weight.array() < trusted).count() > sighting.weight.size();
+bool hasLostWeight(const BoardResidual& observation) {
+  return observation.weight.size() > 1 &&
+         2 * (observation.weight.array() < trusted).count() > observation.weight.size();
 }
 
 Fit fitFully(const Measurements& measurements, const Model& model, Fit from) {
   const Residuals residuals{measurements, model, from.noise, from.loss};
-  const std::vector<BoardResidual> sightings = residuals.boardResiduals(from.minimum.state);
-  if (std::none_of(sightings.begin(), sightings.end(), hasLostWeight)) {
+  const std::vector<BoardResidual> observations = residuals.boardResiduals(from.minimum.state);
+  if (std::none_of(observations.begin(), observations.end(), hasLostWeight)) {
     return from;
   }
   const double distance =

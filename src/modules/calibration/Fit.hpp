@@ -45,8 +45,8 @@ Fit fitRobustly(const Measurements& measurements, const Model& model, const Nois
 
 /// Loss weight below which a corner is an outlier: 4.5 sigma, 1 in 30 000 good corners.
 constexpr double trusted = 0.7;
-/// True if more than half of the sighting's corners are outliers.
-bool hasLostWeight(const BoardResidual& sighting);
+/// True if more than half of the observation's corners are outliers.
+bool hasLostWeight(const BoardResidual& observation);
 
 /// Refit of a model that lacks an effect. If whole boards were downweighted, widens the loss to the 90 % quantile of
 /// the corner distances: these boards are valid, but predicted worst by the wrong model.

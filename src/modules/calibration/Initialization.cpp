@@ -45,7 +45,7 @@ public:
     return unknowns + step;
   }
   const Eigen::VectorXd& scales() const { return sigmas_; }
-  /// Number of sightings whose board pose could be estimated.
+  /// Number of observations whose board pose could be estimated.
   std::size_t size() const { return seen_.size(); }
   /// Whether one of them shows this target.
   bool includes(std::size_t target) const;
@@ -53,14 +53,14 @@ public:
 private:
   struct Seen {
     const ImageObservation* picture;
-    const BoardObservation* sighting;
+    const BoardObservation* observation;
     std::vector<StateDerivative> slopes;
     RigidTransform opticalFromBoard;
     Eigen::Vector3d middle;             // of the corners, in the board frame [m]
     Eigen::Matrix<double, 6, 6> weight; // inverse covariance of the residual
   };
   void addReading(const EncoderSample& reading);
-  void addSeen(const ImageObservation& picture, const BoardObservation& sighting,
+  void addSeen(const ImageObservation& picture, const BoardObservation& observation,
                const std::vector<StateDerivative>& slopes);
   void add(const Seen& seen, const Eigen::VectorXd& unknowns, Linear& sums) const;
 
@@ -98,8 +98,8 @@ struct SeenPose {
   RigidTransform opticalFromBoard;
   Eigen::Matrix<double, 6, 6> information;
 };
-std::optional<SeenPose> estimateSeenPose(const BoardObservation& sighting, const ModelState& belief) {
-  const auto start = estimateBoardPose(sighting.corners, belief.lens());
+std::optional<SeenPose> estimateSeenPose(const BoardObservation& observation, const ModelState& modelState) {
+  const auto start = estimateBoardPose(observation.corners, modelState.lens());
   if (!start) {
     return std::nullopt;
   }
@@ -108,11 +108,11 @@ std::optional<SeenPose> estimateSeenPose(const BoardObservation& sighting, const
   ProjectedBlocks projected;
   ImageNormalEquations sums;
   for (int i = 0; i < 10; ++i) {
-    if (!sighting.view.project(attitude, belief, sighting.corners, projected)) {
+    if (!observation.view.project(attitude, modelState, observation.corners, projected)) {
       return std::nullopt;
     }
     sums.clear();
-    sums.add(sighting.corners, projected, {}, cornerNoise, {}, {});
+    sums.add(observation.corners, projected, {}, cornerNoise, {}, {});
     const Eigen::VectorXd step = -sums.gram().ldlt().solve(sums.gradient());
     const Eigen::Vector3d omega = step.head<3>(), v = step.tail<3>();
     attitude.opticalFromBoard = RigidTransform{rotationAbout(omega), v} * attitude.opticalFromBoard;
@@ -141,19 +141,19 @@ void BoardAlignment::addReading(const EncoderSample& reading) {
     const ImageObservation& picture = measurements_.pictures[index];
     const std::vector<StateDerivative> all =
         evaluateJacobian(measurements_, model_, picture, Eigen::VectorXd::Zero(sigmas_.size()));
-    for (const BoardObservation& sighting : picture.sightings) {
-      addSeen(picture, sighting, all);
+    for (const BoardObservation& observation : picture.observations) {
+      addSeen(picture, observation, all);
     }
   }
 }
 
-void BoardAlignment::addSeen(const ImageObservation& picture, const BoardObservation& sighting,
+void BoardAlignment::addSeen(const ImageObservation& picture, const BoardObservation& observation,
                              const std::vector<StateDerivative>& slopes) {
-  const auto pose = estimateSeenPose(sighting, picture.nominal);
+  const auto pose = estimateSeenPose(observation, picture.nominal);
   if (!pose) {
     return;
   }
-  const Eigen::Vector3d middle = middleOf(sighting.corners), middleInOptical = pose->opticalFromBoard * middle;
+  const Eigen::Vector3d middle = middleOf(observation.corners), middleInOptical = pose->opticalFromBoard * middle;
   Eigen::Matrix<double, 6, 6> middleFromOrigin = Eigen::Matrix<double, 6, 6>::Identity(); // omega x m + v
   middleFromOrigin.bottomLeftCorner<3, 3>() = -crossMatrix(middleInOptical);
   Eigen::Matrix<double, 6, 6> information = pose->information;
@@ -161,20 +161,20 @@ void BoardAlignment::addSeen(const ImageObservation& picture, const BoardObserva
   Eigen::Matrix<double, 6, 6> covariance = middleFromOrigin * information.inverse() * middleFromOrigin.transpose();
   covariance.diagonal().head<3>().array() += std::pow(angleScale, 2);
   covariance.diagonal().tail<3>().array() += std::pow(distanceScale * middleInOptical.z(), 2);
-  seen_.push_back({&picture, &sighting, slopes, pose->opticalFromBoard, middle, covariance.inverse()});
+  seen_.push_back({&picture, &observation, slopes, pose->opticalFromBoard, middle, covariance.inverse()});
 }
 
 bool BoardAlignment::includes(std::size_t target) const {
   return std::any_of(seen_.begin(), seen_.end(),
-                     [&](const Seen& seen) { return seen.sighting->view.board() == target; });
+                     [&](const Seen& seen) { return seen.observation->view.board() == target; });
 }
 
 void BoardAlignment::add(const Seen& seen, const Eigen::VectorXd& unknowns, Linear& sums) const {
-  const ObservationChain& view = seen.sighting->view;
-  const ModelState belief = predictState(measurements_, model_, *seen.picture, unknowns);
+  const ObservationChain& view = seen.observation->view;
+  const ModelState modelState = predictState(measurements_, model_, *seen.picture, unknowns);
   LinkPoses torsoFromLink;
-  forwardKinematics(measurements_.robot, belief, view.links(), torsoFromLink);
-  const CameraFrames attitude = view.cameraFrames(measurements_.robot, belief, torsoFromLink);
+  forwardKinematics(measurements_.robot, modelState, view.links(), torsoFromLink);
+  const CameraFrames attitude = view.cameraFrames(measurements_.robot, modelState, torsoFromLink);
   const RigidTransform& chain = attitude.opticalFromBoard;
   const Eigen::Vector3d middle = chain * seen.middle, middleSeen = seen.opticalFromBoard * seen.middle;
   Eigen::Matrix<double, 6, 1> residual;
@@ -192,7 +192,7 @@ void BoardAlignment::add(const Seen& seen, const Eigen::VectorXd& unknowns, Line
     }
   }
   Eigen::MatrixXd columns(eigenIndex(6 + extras.size()), eigenIndex(quantities.size()));
-  view.fillMotionColumns(measurements_.robot, attitude, belief, torsoFromLink, quantities, extras, columns);
+  view.fillMotionColumns(measurements_.robot, attitude, modelState, torsoFromLink, quantities, extras, columns);
   Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(6, unknowns.size());
   for (std::size_t i = 0; i < seen.slopes.size(); ++i) {
     const Eigen::Vector3d omega = columns.col(eigenIndex(i)).head<3>(), v = columns.col(eigenIndex(i)).segment<3>(3);
@@ -252,18 +252,19 @@ OnFloor medoid(const std::vector<OnFloor>& all) {
 
 /// A board's placement in the support sole's frame: from its pose in the camera, or, with too few corners, from the
 /// floor intersection of the first corner's ray (zero yaw, at most 2 m away).
-OnFloor soleFromBoard(const Measurements& measurements, const ModelState& belief, const BoardObservation& sighting) {
+OnFloor soleFromBoard(const Measurements& measurements, const ModelState& modelState,
+                      const BoardObservation& observation) {
   LinkPoses torsoFromLink;
-  forwardKinematics(measurements.robot, belief, sighting.view.links(), torsoFromLink);
-  const CameraFrames attitude = sighting.view.cameraFrames(measurements.robot, belief, torsoFromLink);
+  forwardKinematics(measurements.robot, modelState, observation.view.links(), torsoFromLink);
+  const CameraFrames attitude = observation.view.cameraFrames(measurements.robot, modelState, torsoFromLink);
   const RigidTransform soleFromOptical = attitude.opticalFromTarget.inverse();
-  if (const auto opticalFromBoard = estimateBoardPose(sighting.corners, belief.lens())) {
+  if (const auto opticalFromBoard = estimateBoardPose(observation.corners, modelState.lens())) {
     const RigidTransform pose = soleFromOptical * *opticalFromBoard;
     return {pose.translation.x(), pose.translation.y(), std::atan2(pose.rotation(1, 0), pose.rotation(0, 0))};
   }
   constexpr double farthest = 2; // [m]
-  const CornerBlock& corner = sighting.corners.front();
-  const auto lens = belief.lens();
+  const CornerBlock& corner = observation.corners.front();
+  const auto lens = modelState.lens();
   const Eigen::Vector3d ray = soleFromOptical.rotation *
                               Eigen::Vector3d{(corner.u[0] - lens[2]) / lens[0], (corner.v[0] - lens[3]) / lens[1], 1};
   const double down = -ray.z() / soleFromOptical.translation.z(); // 1 / (distance along the ray to the floor)
@@ -274,8 +275,8 @@ OnFloor soleFromBoard(const Measurements& measurements, const ModelState& belief
 
 using Placements = std::vector<std::optional<OnFloor>>;
 
-/// Propagates placements along the sightings until all are reached. A connected component without a known placement is
-/// anchored at its first stance.
+/// Propagates placements along the observations until all are reached. A connected component without a known placement
+/// is anchored at its first stance.
 void spread(const std::map<std::pair<std::size_t, std::size_t>, OnFloor>& seen, Placements& boards,
             Placements& stances) {
   for (bool all = false; !all;) {
@@ -304,27 +305,29 @@ void spread(const std::map<std::pair<std::size_t, std::size_t>, OnFloor>& seen, 
 
 Eigen::VectorXd initializePlacements(const Measurements& measurements, const Model& model,
                                      const Eigen::VectorXd& unknowns) {
-  std::map<std::pair<std::size_t, std::size_t>, std::vector<OnFloor>> sightings, glimpses; // keyed by (stance, board)
+  std::map<std::pair<std::size_t, std::size_t>, std::vector<OnFloor>> observations,
+      glimpses; // keyed by (stance, board)
   Placements boards(measurements.targets.size()), stances(measurements.stances.size());
   std::optional<ModelState> any;
   for (const ImageObservation& picture : measurements.pictures) {
-    const ModelState belief = predictState(measurements, model, picture, unknowns);
+    const ModelState modelState = predictState(measurements, model, picture, unknowns);
     any = picture.nominal;
     if (!measurements.stances[picture.stance].unknown) {
       const auto ground = picture.nominal.worldFromSupport();
       stances[picture.stance] = OnFloor{ground[0], ground[1], ground[5]};
     }
-    for (const BoardObservation& sighting : picture.sightings) {
-      if (measurements.targets[sighting.view.board()].onFloor) {
-        (estimateBoardPose(sighting.corners, belief.lens()) ? sightings
-                                                            : glimpses)[{picture.stance, sighting.view.board()}]
-            .push_back(soleFromBoard(measurements, belief, sighting));
+    for (const BoardObservation& observation : picture.observations) {
+      if (measurements.targets[observation.view.board()].onFloor) {
+        (estimateBoardPose(observation.corners, modelState.lens())
+             ? observations
+             : glimpses)[{picture.stance, observation.view.board()}]
+            .push_back(soleFromBoard(measurements, modelState, observation));
       }
     }
   }
   std::map<std::pair<std::size_t, std::size_t>, OnFloor> seen;
-  sightings.merge(glimpses); // uses glimpses only for pairs without a good sighting
-  for (const auto& [key, placements] : sightings) {
+  observations.merge(glimpses); // uses glimpses only for pairs without a good observation
+  for (const auto& [key, placements] : observations) {
     seen[key] = medoid(placements);
   }
   for (std::size_t board = 0; any && board < measurements.targets.size(); ++board) {

@@ -46,12 +46,12 @@ struct Components {
   double within = 0, withinFreedom = 0, between = 0, betweenFreedom = 0, cells = 0, repeats = 0;
 
   void add(const Measurements& measurements, const Cell& cell) {
-    const auto& ids = measurements.pictures[cell.front()->picture].sightings[cell.front()->sighting].ids;
+    const auto& ids = measurements.pictures[cell.front()->picture].observations[cell.front()->observation].ids;
     std::vector<std::vector<Eigen::Index>> places; // per common corner: its column in each repeat
     for (const int id : ids) {
       std::vector<Eigen::Index> columns;
       for (const BoardResidual* one : cell) {
-        const auto& own = measurements.pictures[one->picture].sightings[one->sighting].ids;
+        const auto& own = measurements.pictures[one->picture].observations[one->observation].ids;
         const auto found = std::find(own.begin(), own.end(), id);
         const Eigen::Index column = found - own.begin();
         if (found != own.end() && one->weight[column] > 0.5) {
@@ -95,21 +95,22 @@ struct Components {
 } // namespace
 
 std::optional<PixelNoise> estimatePixelNoiseFromRepeats(const Measurements& measurements,
-                                                        const std::vector<BoardResidual>& sightings) {
+                                                        const std::vector<BoardResidual>& observations) {
   using Key = std::tuple<std::size_t, std::size_t, std::size_t>; // pose, camera, board
   const std::vector<std::size_t> poseOf = posesOfPictures(measurements);
   std::map<Key, Cell> cells;
-  for (const BoardResidual& sighting : sightings) {
-    const ImageObservation& picture = measurements.pictures[sighting.picture];
-    cells[{poseOf[sighting.picture], picture.camera, picture.sightings[sighting.sighting].view.board()}].push_back(
-        &sighting);
+  for (const BoardResidual& observation : observations) {
+    const ImageObservation& picture = measurements.pictures[observation.picture];
+    cells[{poseOf[observation.picture], picture.camera, picture.observations[observation.observation].view.board()}]
+        .push_back(&observation);
   }
   Components sums;
   bool rested = false;
   for (const auto& [key, cell] : cells) {
     sums.add(measurements, cell);
-    rested |= cell.size() > 1 &&
-              measurements.pictures[cell.front()->picture].sightings[cell.front()->sighting].repeats == cell.size();
+    rested |=
+        cell.size() > 1 &&
+        measurements.pictures[cell.front()->picture].observations[cell.front()->observation].repeats == cell.size();
   }
   constexpr double fewest = 20;
   if (sums.withinFreedom < fewest) {
@@ -122,12 +123,12 @@ std::optional<PixelNoise> estimatePixelNoiseFromRepeats(const Measurements& meas
                     std::clamp(std::sqrt(std::max(0.0, alike2)), 0.0, PixelNoise::mostAlike)};
 }
 
-std::optional<double> estimatePixelNoiseWithinImages(const std::vector<BoardResidual>& sightings) {
+std::optional<double> estimatePixelNoiseWithinImages(const std::vector<BoardResidual>& observations) {
   Scatter scatter;
-  for (const BoardResidual& sighting : sightings) {
+  for (const BoardResidual& observation : observations) {
     std::vector<Eigen::Index> good;
-    for (Eigen::Index i = 0; i < sighting.weight.size(); ++i) {
-      if (sighting.weight[i] > 0.5) {
+    for (Eigen::Index i = 0; i < observation.weight.size(); ++i) {
+      if (observation.weight[i] > 0.5) {
         good.push_back(i);
       }
     }
@@ -137,8 +138,8 @@ std::optional<double> estimatePixelNoiseWithinImages(const std::vector<BoardResi
     Eigen::VectorXd residual(2 * static_cast<Eigen::Index>(good.size()));
     Eigen::MatrixXd rows(residual.size(), 6);
     for (std::size_t i = 0; i < good.size(); ++i) {
-      residual.segment<2>(2 * static_cast<Eigen::Index>(i)) = sighting.residual.col(good[i]);
-      rows.middleRows<2>(2 * static_cast<Eigen::Index>(i)) = sighting.motionRows.middleRows<2>(2 * good[i]);
+      residual.segment<2>(2 * static_cast<Eigen::Index>(i)) = observation.residual.col(good[i]);
+      rows.middleRows<2>(2 * static_cast<Eigen::Index>(i)) = observation.motionRows.middleRows<2>(2 * good[i]);
     }
     scatter.add(residual, rows, 1);
   }

@@ -24,10 +24,10 @@ struct PixelNoise {
 };
 /// Absent with fewer than 20 degrees of freedom from repeats.
 std::optional<PixelNoise> estimatePixelNoiseFromRepeats(const Measurements& measurements,
-                                                        const std::vector<BoardResidual>& sightings);
+                                                        const std::vector<BoardResidual>& observations);
 
 /// Pixel noise [px] within single images: rms of the residuals after projecting out each board's rigid motion. Errors
 /// of lens and board shape count as noise. Absent if no image shows at least eight good corners of a board.
-std::optional<double> estimatePixelNoiseWithinImages(const std::vector<BoardResidual>& sightings);
+std::optional<double> estimatePixelNoiseWithinImages(const std::vector<BoardResidual>& observations);
 
 } // namespace naocal

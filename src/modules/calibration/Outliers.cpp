@@ -12,13 +12,13 @@ namespace naocal {
 
 std::vector<Outlier> findOutliers(const Measurements& measurements, const CalibrationResult& result) {
   std::vector<Outlier> all;
-  for (const BoardResidual& seen : result.sightings) {
-    const BoardObservation& sighting = measurements.pictures[seen.picture].sightings[seen.sighting];
-    Outlier doubt{seen.picture, seen.sighting, {}, false, 0};
+  for (const BoardResidual& seen : result.residuals) {
+    const BoardObservation& observation = measurements.pictures[seen.picture].observations[seen.observation];
+    Outlier doubt{seen.picture, seen.observation, {}, false, 0};
     double squares = 0;
     for (Eigen::Index i = 0; i < seen.weight.size(); ++i) {
       if (seen.weight[i] < trusted) {
-        doubt.corners.push_back(sighting.ids[static_cast<std::size_t>(i)]);
+        doubt.corners.push_back(observation.ids[static_cast<std::size_t>(i)]);
         squares += seen.residual.col(i).squaredNorm();
       }
     }
@@ -33,7 +33,7 @@ std::vector<Outlier> findOutliers(const Measurements& measurements, const Calibr
 
 Accidents::Accidents(const Measurements& measurements, const std::vector<Outlier>& doubts) {
   for (const ImageObservation& picture : measurements.pictures) {
-    all += picture.sightings.size();
+    all += picture.observations.size();
   }
   for (const Outlier& doubt : doubts) {
     moved += doubt.whole ? 1 : 0;
@@ -50,7 +50,7 @@ namespace {
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
-/// Computes statistic and distance of one sighting. `deflections` [rad]: of its pose, where `motion` was summed.
+/// Computes statistic and distance of one observation. `deflections` [rad]: of its pose, where `motion` was summed.
 void test(BoardDisplacement& move, const BoardMotionSums& motion, const PoseSystem& pose, const MarginalSystem& part,
           const JointErrorRoot& root, const Eigen::VectorXd& deflections, double pixelNoise,
           const Eigen::LLT<Eigen::MatrixXd>& hessian) {
@@ -92,11 +92,11 @@ std::vector<BoardDisplacement> testDisplacements(const Measurements& measurement
   for (const BoardMotionSums& motion : motions.value()) {
     const PoseSystem& pose = linear.poses[motion.pose];
     const JointErrorRoot root = jointErrorRoot(pose, fit.noise);
-    test(result.emplace_back(BoardDisplacement{motion.picture, motion.sighting}), motion, pose,
+    test(result.emplace_back(BoardDisplacement{motion.picture, motion.observation}), motion, pose,
          linear.eliminated[motion.pose], root, root * fit.minimum.state.deflections[motion.pose], fit.noise.pixel,
          hessian);
-    result.back().distance /=
-        std::sqrt(static_cast<double>(measurements.pictures[motion.picture].sightings[motion.sighting].ids.size()));
+    result.back().distance /= std::sqrt(
+        static_cast<double>(measurements.pictures[motion.picture].observations[motion.observation].ids.size()));
   }
   return result;
 }
@@ -116,7 +116,7 @@ std::optional<BoardDisplacement> findDisplacedBoard(const Measurements& measurem
 }
 
 void excludeObservation(Measurements& measurements, const BoardDisplacement& move) {
-  for (CornerBlock& block : measurements.pictures[move.picture].sightings[move.sighting].corners) {
+  for (CornerBlock& block : measurements.pictures[move.picture].observations[move.observation].corners) {
     block.present = Double4{};
   }
 }

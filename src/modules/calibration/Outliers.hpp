@@ -8,10 +8,10 @@
 
 namespace naocal {
 
-/// Lists corners downweighted by the loss, and sightings that lost most of their corners that way.
+/// Lists corners downweighted by the loss, and observations that lost most of their corners that way.
 std::vector<Outlier> findOutliers(const Measurements& measurements, const CalibrationResult& result);
 
-/// Number of displaced boards among all sightings.
+/// Number of displaced boards among all observations.
 struct Accidents {
   std::size_t moved = 0, all = 0;
 
@@ -19,11 +19,11 @@ struct Accidents {
   Accidents(const Measurements& measurements, const std::vector<Outlier>& doubts);
 
   bool any() const { return moved > 0; }
-  /// More than 5 % of the sightings: reported.
+  /// More than 5 % of the observations: reported.
   bool areMany() const { return isMore(0.05); }
-  /// More than 20 %: not accidents but a wrong model, which must keep these sightings.
+  /// More than 20 %: not accidents but a wrong model, which must keep these observations.
   bool areTooMany() const { return isMore(0.2); }
-  /// Maximum number that may be excluded as accidents: 10 % of the sightings, rounded up.
+  /// Maximum number that may be excluded as accidents: 10 % of the observations, rounded up.
   std::size_t mostSetAside() const;
 
 private:
@@ -32,12 +32,12 @@ private:
 
 /// Evidence that the board was displaced in this one picture (or the robot stood differently).
 struct BoardDisplacement {
-  std::size_t picture = 0, sighting = 0;
+  std::size_t picture = 0, observation = 0;
   double chi2 = 0;     // decrease of chi2 with a free board; chi2 with six degrees of freedom under the null
   double distance = 0; // rms displacement of its corners [px]
 };
 
-/// Score test of a free rigid motion of each sighting's board against a fit that holds it in place:
+/// Score test of a free rigid motion of each observation's board against a fit that holds it in place:
 ///
 ///   chi2 = g^T V^-1 g,   g = L^T Sigma^-1 r,   V = L^T (Sigma^-1 - Sigma^-1 J H^-1 J^T Sigma^-1) L
 ///
@@ -45,12 +45,13 @@ struct BoardDisplacement {
 /// corners move together, deflecting the joints costs less than rejecting every corner.
 std::vector<BoardDisplacement> testDisplacements(const Measurements& measurements, const Model& model, const Fit& fit);
 
-/// The most displaced sighting, if significant (false-alarm rate `threshold::movedBoardAlarm` per set of captures) and
-/// displaced by at least `threshold::negligiblePx`. `misfit`: overall chi2 / freedom; the statistic is divided by it.
+/// The most displaced observation, if significant (false-alarm rate `threshold::movedBoardAlarm` per set of captures)
+/// and displaced by at least `threshold::negligiblePx`. `misfit`: overall chi2 / freedom; the statistic is divided by
+/// it.
 std::optional<BoardDisplacement> findDisplacedBoard(const Measurements& measurements, const Model& model,
                                                     const Fit& fit, double misfit = 1);
 
-/// Removes a sighting's corners from the measurements. The sighting keeps its place in the lists.
+/// Removes a observation's corners from the measurements. The observation keeps its place in the lists.
 void excludeObservation(Measurements& measurements, const BoardDisplacement& move);
 
 } // namespace naocal

@@ -19,21 +19,7 @@ std::vector<BoardResidual> plainResiduals(const Measurements& measurements, cons
   return residuals.boardResiduals(predict(residuals, prediction).state);
 }
 
-ResidualSummary summarizeDistances(std::vector<double> all) {
-  ResidualSummary result{0, 0, all.size()};
-  if (all.empty()) {
-    return result;
-  }
-  for (double distance : all) {
-    result.rmsPx += distance * distance;
-  }
-  result.rmsPx = std::sqrt(result.rmsPx / static_cast<double>(all.size()));
-  std::nth_element(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2), all.end());
-  result.medianPx = all[all.size() / 2];
-  return result;
-}
-
-std::map<std::string, ResidualSummary> summarizeDistances(const std::map<std::string, std::vector<double>>& groups) {
+std::map<std::string, ResidualSummary> summarizeGroups(const std::map<std::string, std::vector<double>>& groups) {
   std::map<std::string, ResidualSummary> result;
   for (const auto& [name, all] : groups) {
     result[name] = summarizeDistances(all);
@@ -59,7 +45,7 @@ Comparison compare(const StoredResult& result, const std::vector<CaptureSet>& se
     for (Eigen::Index i = 0; i < seen.residual.cols(); ++i) {
       const double distance = seen.residual.col(i).norm();
       all.push_back(distance);
-      byBoard[measurements.targets[picture.sightings[seen.sighting].view.board()].name].push_back(distance);
+      byBoard[measurements.targets[picture.observations[seen.observation].view.board()].name].push_back(distance);
       byCamera[measurements.robot.cameras[picture.camera].name].push_back(distance);
       byPose[measurements.captureOf(picture).pose].push_back(distance);
     }
@@ -72,9 +58,9 @@ Comparison compare(const StoredResult& result, const std::vector<CaptureSet>& se
   }
   comparison.all = summarizeDistances(all);
   comparison.nominal = summarizeDistances(nominal);
-  comparison.byBoard = summarizeDistances(byBoard);
-  comparison.byCamera = summarizeDistances(byCamera);
-  comparison.byPose = summarizeDistances(byPose);
+  comparison.byBoard = summarizeGroups(byBoard);
+  comparison.byCamera = summarizeGroups(byCamera);
+  comparison.byPose = summarizeGroups(byPose);
   return comparison;
 }
 

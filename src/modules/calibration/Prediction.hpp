@@ -10,12 +10,6 @@
 
 namespace naocal {
 
-/// Distances of corners from their predictions: rms = sqrt(mean(du^2 + dv^2)).
-struct ResidualSummary {
-  double rmsPx = 0, medianPx = 0;
-  std::size_t corners = 0;
-};
-
 /// How well a result predicts unseen captures.
 struct Comparison {
   ResidualSummary all, nominal; // nominal: the same captures under the nominal model

@@ -5,6 +5,7 @@
 #include "estimation/DriverState.hpp"
 #include "io/Files.hpp"
 #include "io/InputError.hpp"
+#include "io/JsonReader.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -50,7 +51,7 @@ json outliersJson(const Measurements& measurements, const CalibrationResult& res
     const CaptureSet& set = measurements.setOf(picture);
     list.push_back({{"set", set.name},
                     {"capture", set.captures[picture.capture].id},
-                    {"board", measurements.targets[picture.sightings[doubt.sighting].view.board()].name},
+                    {"board", measurements.targets[picture.observations[doubt.observation].view.board()].name},
                     {"corners", doubt.corners},
                     {"whole", doubt.whole},
                     {"distancePx", doubt.distance}});
@@ -60,10 +61,10 @@ json outliersJson(const Measurements& measurements, const CalibrationResult& res
 
 json residualsJson(const Measurements& measurements, const CalibrationResult& result) {
   json list = json::array();
-  for (std::size_t i = 0; i < result.sightings.size(); ++i) {
-    const BoardResidual& seen = result.sightings[i];
+  for (std::size_t i = 0; i < result.residuals.size(); ++i) {
+    const BoardResidual& seen = result.residuals[i];
     const ImageObservation& picture = measurements.pictures[seen.picture];
-    const BoardObservation& sighting = picture.sightings[seen.sighting];
+    const BoardObservation& observation = picture.observations[seen.observation];
     const Capture& capture = measurements.captureOf(picture);
     list.push_back({{"set", measurements.setOf(picture).name},
                     {"capture", capture.id},
@@ -72,8 +73,8 @@ json residualsJson(const Measurements& measurements, const CalibrationResult& re
                     {"time", capture.time.count()},
                     {"camera", capture.camera},
                     {"image", capture.image},
-                    {"board", measurements.targets[sighting.view.board()].name},
-                    {"ids", sighting.ids},
+                    {"board", measurements.targets[observation.view.board()].name},
+                    {"ids", observation.ids},
                     {"measured", pointsJson(seen.predicted + seen.residual)},
                     {"predicted", pointsJson(result.withReportedAngles[i].predicted)},
                     {"fitted", pointsJson(seen.predicted)},
@@ -101,7 +102,7 @@ Placement placementFrom(const json& value) {
           value.value("roll", 0.0), value.value("pitch", 0.0), value.value("yaw", 0.0)};
 }
 
-Noise noiseFrom(const json& entry, const std::filesystem::path& file) {
+Noise noiseFrom(const json& entry, const std::string& file) {
   const Noise usual;
   const Noise noise{.pixel = entry.value("pixel", usual.pixel),
                     .encoder = entry.value("encoder", usual.encoder),
@@ -112,45 +113,48 @@ Noise noiseFrom(const json& entry, const std::filesystem::path& file) {
   if (!(noise.pixel > 0 && noise.encoder >= 0 && noise.pose >= 0 && noise.stance >= 0 && noise.reapproach >= 0 &&
         noise.pixelAlike >= 0)) {
     throw InputError{fmt::format("{}: noise: expected a positive pixel and no negative numbers, found {}",
-                                 file.string(), entry.dump())};
+                                 file, entry.dump())};
   }
   return noise;
 }
 
 } // namespace
 
-StoredResult readResult(const std::filesystem::path& file) {
+StoredResult parseResult(const json& all, const std::string& name) {
   try {
-    const json all = json::parse(readFile(file));
     if (all.value("format", "") != "naocal-result" || all.value("version", 0) != 1) {
       throw InputError{
           fmt::format("{}: format: expected \"naocal-result\" version 1, as 'naocal solve' writes it, found {} "
                       "version {}",
-                      file.string(), all.value("format", "none"), all.value("version", 0))};
+                      name, all.value("format", "none"), all.value("version", 0))};
     }
     StoredResult result;
     result.usable = all.at("usable").get<bool>();
     if (all.contains("model") && all["model"].contains("define")) {
       result.definitions = all["model"]["define"].dump();
     }
-    result.noise = noiseFrom(all.value("noise", json::object()), file);
+    result.noise = noiseFrom(all.value("noise", json::object()), name);
     for (const json& effect : all.at("effects")) {
       const std::string label = effect.at("effect").get<std::string>() + "@" + effect.at("at").get<std::string>();
       result.terms.push_back(label);
-      for (const auto& [name, unknown] : effect.at("unknowns").items()) {
-        result.values[label + "." + name] = unknown.at("value").get<double>();
+      for (const auto& [key, unknown] : effect.at("unknowns").items()) {
+        result.values[label + "." + key] = unknown.at("value").get<double>();
       }
     }
-    for (const auto& [name, placement] : all.at("placements").at("boards").items()) {
-      result.boards[name] = placementFrom(placement);
+    for (const auto& [id, placement] : all.at("placements").at("boards").items()) {
+      result.boards[id] = placementFrom(placement);
     }
-    for (const auto& [name, placement] : all.at("placements").at("stances").items()) {
-      result.stances[name] = placementFrom(placement);
+    for (const auto& [id, placement] : all.at("placements").at("stances").items()) {
+      result.stances[id] = placementFrom(placement);
     }
     return result;
   } catch (const json::exception& error) {
-    throw InputError{fmt::format("{}: not a result file as 'naocal solve' writes it: {}", file.string(), error.what())};
+    throw InputError{fmt::format("{}: not a result file as 'naocal solve' writes it: {}", name, error.what())};
   }
+}
+
+StoredResult readResult(const std::filesystem::path& file) {
+  return parseResult(parseJson(readFile(file), file.string()), file.string());
 }
 
 using nlohmann::json;
@@ -199,12 +203,12 @@ json placementJson(const Eigen::Matrix<double, 6, 1>& p, bool onFloor) {
 json placementsJson(const FittedModel& fitted) {
   json boards = json::object(), stances = json::object();
   for (const ImageObservation& picture : fitted.measurements.pictures) {
-    const ModelState belief = predictState(fitted.measurements, fitted.model, picture, fitted.fit.unknowns);
-    for (const BoardObservation& sighting : picture.sightings) {
-      const Target& target = fitted.measurements.targets[sighting.view.board()];
-      boards[target.name] = placementJson(belief.boardPlacement(sighting.view.board()), target.onFloor);
+    const ModelState modelState = predictState(fitted.measurements, fitted.model, picture, fitted.fit.unknowns);
+    for (const BoardObservation& observation : picture.observations) {
+      const Target& target = fitted.measurements.targets[observation.view.board()];
+      boards[target.name] = placementJson(modelState.boardPlacement(observation.view.board()), target.onFloor);
       if (target.onFloor) {
-        stances[fitted.measurements.stances[picture.stance].name] = placementJson(belief.worldFromSupport(), true);
+        stances[fitted.measurements.stances[picture.stance].name] = placementJson(modelState.worldFromSupport(), true);
       }
     }
   }

@@ -35,5 +35,7 @@ struct StoredResult {
 
 /// Reads a result file. Throws InputError with file, location, expected and found.
 StoredResult readResult(const std::filesystem::path& file);
+/// The same from a document; `name` stands for the file in messages.
+StoredResult parseResult(const nlohmann::json& document, const std::string& name);
 
 } // namespace naocal

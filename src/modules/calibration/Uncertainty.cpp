@@ -21,27 +21,27 @@ namespace {
 
 /// Error with the legs as in one picture [m]; absent if it shows no floor board or the point lies behind the camera.
 std::optional<double> predictErrorIn(const ImageObservation& picture, const FittedModel& fitted) {
-  const auto sighting =
-      std::find_if(picture.sightings.begin(), picture.sightings.end(),
+  const auto observation =
+      std::find_if(picture.observations.begin(), picture.observations.end(),
                    [&](const BoardObservation& s) { return fitted.measurements.targets[s.view.board()].onFloor; });
-  if (sighting == picture.sightings.end()) {
+  if (observation == picture.observations.end()) {
     return std::nullopt;
   }
-  ModelState belief = predictState(fitted.measurements, fitted.model, picture, fitted.fit.unknowns);
-  const std::size_t board = sighting->view.board();
-  belief.worldFromSupport().setZero();
-  belief.boardPlacement(board) << 2, 0, 0, 0, 0, 0;
-  for (std::size_t joint : sighting->view.joints()) {
+  ModelState modelState = predictState(fitted.measurements, fitted.model, picture, fitted.fit.unknowns);
+  const std::size_t board = observation->view.board();
+  modelState.worldFromSupport().setZero();
+  modelState.boardPlacement(board) << 2, 0, 0, 0, 0, 0;
+  for (std::size_t joint : observation->view.joints()) {
     const std::size_t link = fitted.measurements.robot.joints[joint].link;
     const std::size_t head = fitted.measurements.robot.cameras[picture.camera].link;
     const auto towardsHead = ancestorLinks(fitted.measurements.robot, {head});
     if (std::find(towardsHead.begin(), towardsHead.end(), link) != towardsHead.end()) {
-      belief.angle(joint) = 0;
+      modelState.angle(joint) = 0;
     }
   }
   LinkPoses torsoFromLink;
-  forwardKinematics(fitted.measurements.robot, belief, sighting->view.links(), torsoFromLink);
-  const CameraFrames attitude = sighting->view.cameraFrames(fitted.measurements.robot, belief, torsoFromLink);
+  forwardKinematics(fitted.measurements.robot, modelState, observation->view.links(), torsoFromLink);
+  const CameraFrames attitude = observation->view.cameraFrames(fitted.measurements.robot, modelState, torsoFromLink);
   const Eigen::Vector3d point = attitude.opticalFromBoard.translation;
   if (point.z() < 0.1) {
     return std::nullopt;
@@ -57,7 +57,8 @@ std::optional<double> predictErrorIn(const ImageObservation& picture, const Fitt
     }
   }
   Eigen::MatrixXd columns(6, eigenIndex(quantities.size()));
-  sighting->view.fillMotionColumns(fitted.measurements.robot, attitude, belief, torsoFromLink, quantities, {}, columns);
+  observation->view.fillMotionColumns(fitted.measurements.robot, attitude, modelState, torsoFromLink, quantities, {},
+                                      columns);
   const Eigen::Vector3d normal = attitude.opticalFromWorld.rotation.col(2);
   Eigen::MatrixXd slip = Eigen::MatrixXd::Zero(2, fitted.fit.unknowns.size());
   for (std::size_t i = 0; i < physical.size(); ++i) {
@@ -134,23 +135,14 @@ Estimate estimate(double value, double variance, double relativeSpread, double p
 
 /// Corner distances from the prediction at the joint angles as read, without deflections.
 void measureDistances(const Residuals& residuals, const Fit& fit, CalibrationResult& result) {
-  std::vector<double> distances;
-  double squares = 0;
   result.withReportedAngles = residuals.boardResiduals(residuals.startState(result.unknowns));
-  for (const BoardResidual& sighting : result.withReportedAngles) {
-    for (Eigen::Index i = 0; i < sighting.residual.cols(); ++i) {
-      distances.push_back(sighting.residual.col(i).norm());
-      squares += sighting.residual.col(i).squaredNorm();
-    }
-  }
-  if (!std::isfinite(squares)) { // the fit's deflections were feasible, zero deflections are not
+  const ResidualSummary summary = summarizeDistances(collectDistances(result.withReportedAngles));
+  if (!std::isfinite(summary.rmsPx)) { // the fit's deflections were feasible, zero deflections are not
     throw behindCameraError();
   }
-  result.rmsPx = std::sqrt(squares / static_cast<double>(distances.size()));
-  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-  std::nth_element(distances.begin(), middle, distances.end());
-  result.medianPx = *middle;
-  result.sightings = residuals.boardResiduals(fit.minimum.state);
+  result.rmsPx = summary.rmsPx;
+  result.medianPx = summary.medianPx;
+  result.residuals = residuals.boardResiduals(fit.minimum.state);
 }
 
 } // namespace

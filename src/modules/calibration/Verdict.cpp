@@ -3,6 +3,7 @@
 #include "calibration/Outliers.hpp"
 #include "calibration/Uncertainty.hpp"
 #include "calibration/Wording.hpp"
+#include "effects/Catalogue.hpp"
 #include "inference/Thresholds.hpp"
 #include "math/Angles.hpp"
 
@@ -24,7 +25,7 @@ ResultVerdict judgeExplained(const Model& model, const CalibrationResult& result
   }
   bool holds = result.misfitLeft < threshold::bearableMisfit;
   for (const Term& term : model.terms()) {
-    if (term.effect.name == "jointOffset" && term.requested) {
+    if (term.effect.name == effectName::jointOffset && term.requested) {
       const auto [low, high] = result.estimates[term.first].interval();
       holds = holds && high - low < 2 * widest;
     }
@@ -39,17 +40,13 @@ std::string words(const Accidents& accidents) {
 
 /// rms distance of all corners except those of displaced boards [px].
 double rmsWithoutMoved(const CalibrationResult& result) {
-  double squares = 0, corners = 0;
-  for (const BoardResidual& sighting : result.withReportedAngles) {
-    const bool moved = std::any_of(result.doubts.begin(), result.doubts.end(), [&](const Outlier& doubt) {
-      return doubt.whole && doubt.picture == sighting.picture && doubt.sighting == sighting.sighting;
+  std::vector<BoardResidual> kept = result.withReportedAngles;
+  std::erase_if(kept, [&](const BoardResidual& board) {
+    return std::any_of(result.doubts.begin(), result.doubts.end(), [&](const Outlier& doubt) {
+      return doubt.whole && doubt.picture == board.picture && doubt.observation == board.observation;
     });
-    if (!moved) {
-      squares += sighting.residual.squaredNorm();
-      corners += static_cast<double>(sighting.residual.cols());
-    }
-  }
-  return std::sqrt(squares / std::max(1.0, corners));
+  });
+  return summarizeDistances(collectDistances(kept)).rmsPx;
 }
 
 /// For example "the error is 4.49 px, the noise floor 0.65 px".
@@ -94,7 +91,7 @@ void assess(const Measurements& measurements, const Model& model, CalibrationRes
   }
   for (const Term& term : model.terms()) {
     const Estimate& estimate = result.estimates[term.first];
-    if (term.effect.name == "jointOffset" && term.requested && estimate.learned < 0.5) {
+    if (term.effect.name == effectName::jointOffset && term.requested && estimate.learned < 0.5) {
       result.usable = false;
       warn(About::offset,
            fmt::format("{} cannot be learned from these captures ({:.0f} % learned, ±{:.1f}°): "

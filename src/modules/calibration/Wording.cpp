@@ -1,4 +1,5 @@
 #include "calibration/Wording.hpp"
+#include "effects/Catalogue.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -48,10 +49,10 @@ std::string direction(const std::string& unknown) {
 
 std::string describeUnknown(const Term& term, std::size_t unknown) {
   const std::string& name = term.effect.unknowns[unknown].name;
-  if (term.effect.name == "jointOffset") {
+  if (term.effect.name == effectName::jointOffset) {
     return joint(term.place);
   }
-  if (term.effect.name == "cameraRotation") {
+  if (term.effect.name == effectName::cameraRotation) {
     return fmt::format("the {} camera's {}", term.place, direction(name));
   }
   if (term.effect.name == "cameraTranslation") {

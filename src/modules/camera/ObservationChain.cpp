@@ -34,13 +34,13 @@ ObservationChain::ObservationChain(const Robot& robot, const StateLayout& quanti
   }
 }
 
-CameraFrames ObservationChain::pathFrames(const Robot& robot, const ModelState& belief,
+CameraFrames ObservationChain::pathFrames(const Robot& robot, const ModelState& modelState,
                                           const LinkPoses& torsoFromLink) const {
-  const RigidTransform linkFromEye = camera_ ? linkFromOptical(robot.cameras[*camera_], belief) : RigidTransform{};
+  const RigidTransform linkFromEye = camera_ ? linkFromOptical(robot.cameras[*camera_], modelState) : RigidTransform{};
   CameraFrames result;
   result.opticalFromTorso = (torsoFromLink[eye_] * linkFromEye).inverse();
   result.opticalFromTarget = result.opticalFromTorso * torsoFromLink[target_];
-  result.opticalFromWorld = result.opticalFromTarget * transformFromPlacement(belief.worldFromSupport()).inverse();
+  result.opticalFromWorld = result.opticalFromTarget * transformFromPlacement(modelState.worldFromSupport()).inverse();
   return result;
 }
 
@@ -48,23 +48,23 @@ void ObservationChain::placeBoard(const RigidTransform& linkFromBoard, CameraFra
   attitude.opticalFromBoard = (onFloor_ ? attitude.opticalFromWorld : attitude.opticalFromTarget) * linkFromBoard;
 }
 
-CameraFrames ObservationChain::cameraFrames(const Robot& robot, const ModelState& belief,
+CameraFrames ObservationChain::cameraFrames(const Robot& robot, const ModelState& modelState,
                                             const LinkPoses& torsoFromLink) const {
-  CameraFrames result = pathFrames(robot, belief, torsoFromLink);
-  placeBoard(transformFromPlacement(belief.boardPlacement(board_)), result);
+  CameraFrames result = pathFrames(robot, modelState, torsoFromLink);
+  placeBoard(transformFromPlacement(modelState.boardPlacement(board_)), result);
   return result;
 }
 
-bool ObservationChain::project(const CameraFrames& attitude, const ModelState& belief, const CornerBlocks& corners,
+bool ObservationChain::project(const CameraFrames& attitude, const ModelState& modelState, const CornerBlocks& corners,
                                ProjectedBlocks& projected) const {
   constexpr double nearest = 1e-3; // [m]: depth below which a corner has no projection
   const Eigen::Matrix3d r = attitude.opticalFromBoard.rotation;
   const Eigen::Vector3d t = attitude.opticalFromBoard.translation;
-  const Eigen::Matrix<double, 9, 1> lens = belief.lens();
+  const Eigen::Matrix<double, 9, 1> lens = modelState.lens();
   const double fx = lens[0], fy = lens[1], cx = lens[2], cy = lens[3];
   const double k1 = lens[4], k2 = lens[5], p1 = lens[6], p2 = lens[7], k3 = lens[8];
-  const double scale = 1 + belief.boardScale(board_), bow = belief.boardBow(board_);
-  const double rowTime = belief.rowTime();
+  const double scale = 1 + modelState.boardScale(board_), bow = modelState.boardBow(board_);
+  const double rowTime = modelState.rowTime();
   const Eigen::Matrix<double, 6, 1> drift = attitude.drift;
   projected.resize(corners.size());
   Double4 least = Double4{} + 1;
@@ -111,10 +111,10 @@ bool ObservationChain::project(const CameraFrames& attitude, const ModelState& b
   return std::min({least[0], least[1], least[2], least[3]}) >= nearest;
 }
 
-void ObservationChain::fillExtraRows(std::size_t extra, const CameraFrames& attitude, const ModelState& belief,
+void ObservationChain::fillExtraRows(std::size_t extra, const CameraFrames& attitude, const ModelState& modelState,
                                      const CornerBlock& corners, const ProjectedBlock& projected, Double4& du,
                                      Double4& dv) {
-  const auto lens = belief.lens();
+  const auto lens = modelState.lens();
   const double fx = lens[0], fy = lens[1];
   const Double4 &x = projected.x, &y = projected.y;
   const Double4 rr = x * x + y * y;
@@ -220,7 +220,7 @@ Twist placementMotion(const RigidTransform& opticalFromParent, const Twist& plac
 
 /// Angles, axes and lengths move what lies beyond the link; a link that carries the camera moves the scene backwards.
 ObservationChain::Twist ObservationChain::linkMotion(const Robot& robot, const CameraFrames& attitude,
-                                                     const ModelState& belief, const LinkPoses& torsoFromLink,
+                                                     const ModelState& modelState, const LinkPoses& torsoFromLink,
                                                      std::size_t quantity) const {
   if (quantity >= quantities_.length(0)) {
     Twist sum = Twist::Zero();
@@ -243,12 +243,12 @@ ObservationChain::Twist ObservationChain::linkMotion(const Robot& robot, const C
     return Twist::Zero();
   }
   const RigidTransform& torsoFromThis = torsoFromLink[link];
-  Eigen::Vector3d turn = belief.axis(joint);
+  Eigen::Vector3d turn = modelState.axis(joint);
   if (!isAngle) {
     // exp([a q]x) with a -> a + da rotates by J_l(a q) q da; seen from behind the rotation, by its transpose.
     const auto component = static_cast<Eigen::Index>((quantity - quantities_.axis(0)) % 3);
-    const double angle = belief.angle(joint);
-    turn = angle * leftJacobian(belief.axis(joint) * angle).row(component).transpose();
+    const double angle = modelState.angle(joint);
+    turn = angle * leftJacobian(modelState.axis(joint) * angle).row(component).transpose();
   }
   const Eigen::Vector3d turnInTorso = torsoFromThis.rotation * (side_[link] * turn);
   return twistAbout(attitude.opticalFromTorso.rotation * turnInTorso,
@@ -256,17 +256,17 @@ ObservationChain::Twist ObservationChain::linkMotion(const Robot& robot, const C
 }
 
 /// A motion of the camera in its link moves the scene in the opposite direction.
-ObservationChain::Twist ObservationChain::mountMotion(const Robot& robot, const ModelState& belief,
+ObservationChain::Twist ObservationChain::mountMotion(const Robot& robot, const ModelState& modelState,
                                                       std::size_t number) const {
   const CameraMount& mount = robot.cameras[*camera_];
-  const Eigen::Matrix3d opticalFromLink = linkFromOptical(mount, belief).rotation.transpose();
+  const Eigen::Matrix3d opticalFromLink = linkFromOptical(mount, modelState).rotation.transpose();
   Twist twist = Twist::Zero();
   if (number < 3) {
     twist.tail<3>() = -opticalFromLink.col(static_cast<Eigen::Index>(number));
     return twist;
   }
   // linkFromCamera = Ry(pitch) Rx(rx) Ry(ry) Rz(rz)
-  const Eigen::Vector3d turn = belief.mountRotation();
+  const Eigen::Vector3d turn = modelState.mountRotation();
   Eigen::Matrix3d before = rotationY(mount.pitch);
   if (number > 3) {
     before = before * rotationX(turn.x());
@@ -278,16 +278,16 @@ ObservationChain::Twist ObservationChain::mountMotion(const Robot& robot, const 
   return twist;
 }
 
-void ObservationChain::setDrift(const Robot& robot, const ModelState& belief, const LinkPoses& torsoFromLink,
+void ObservationChain::setDrift(const Robot& robot, const ModelState& modelState, const LinkPoses& torsoFromLink,
                                 const Eigen::VectorXd& velocity, CameraFrames& attitude) const {
   attitude.drift.setZero();
   for (const std::size_t joint : joints_) {
     attitude.drift += velocity[static_cast<Eigen::Index>(joint)] *
-                      linkMotion(robot, attitude, belief, torsoFromLink, quantities_.angle(joint));
+                      linkMotion(robot, attitude, modelState, torsoFromLink, quantities_.angle(joint));
   }
 }
 
-void ObservationChain::fillMotionColumns(const Robot& robot, const CameraFrames& attitude, const ModelState& belief,
+void ObservationChain::fillMotionColumns(const Robot& robot, const CameraFrames& attitude, const ModelState& modelState,
                                          const LinkPoses& torsoFromLink, const std::vector<std::size_t>& wanted,
                                          const std::vector<std::size_t>& extras,
                                          Eigen::Ref<Eigen::MatrixXd> columns) const {
@@ -296,9 +296,9 @@ void ObservationChain::fillMotionColumns(const Robot& robot, const CameraFrames&
     const std::size_t quantity = wanted[i];
     auto column = columns.col(static_cast<Eigen::Index>(i));
     if (quantity < quantities_.mountTranslation()) {
-      column.head<6>() = linkMotion(robot, attitude, belief, torsoFromLink, quantity);
+      column.head<6>() = linkMotion(robot, attitude, modelState, torsoFromLink, quantity);
     } else if (quantity < quantities_.lens() && camera_) {
-      column.head<6>() = mountMotion(robot, belief, quantity - quantities_.mountTranslation());
+      column.head<6>() = mountMotion(robot, modelState, quantity - quantities_.mountTranslation());
     } else if (const auto number = camera_ ? extraIndex(quantity) : std::nullopt) {
       const auto row = std::find(extras.begin(), extras.end(), *number);
       assert(row != extras.end());
@@ -306,11 +306,11 @@ void ObservationChain::fillMotionColumns(const Robot& robot, const CameraFrames&
     } else if (quantity >= quantities_.worldFromSupport() && quantity < quantities_.worldFromSupport() + 6 &&
                onFloor_) {
       // the sole moves in the world, so the world moves backwards in the sole
-      column.head<6>() = -placementMotion(attitude.opticalFromWorld, belief.worldFromSupport(),
+      column.head<6>() = -placementMotion(attitude.opticalFromWorld, modelState.worldFromSupport(),
                                           quantity - quantities_.worldFromSupport());
     } else if (camera_ && quantity >= quantities_.board(board_) && quantity < quantities_.board(board_) + 6) {
       column.head<6>() = placementMotion(onFloor_ ? attitude.opticalFromWorld : attitude.opticalFromTarget,
-                                         belief.boardPlacement(board_), quantity - quantities_.board(board_));
+                                         modelState.boardPlacement(board_), quantity - quantities_.board(board_));
     }
   }
 }

@@ -60,13 +60,13 @@ public:
   }
 
   /// Requires `torsoFromLink` to contain `links()`.
-  CameraFrames cameraFrames(const Robot& robot, const ModelState& belief, const LinkPoses& torsoFromLink) const;
+  CameraFrames cameraFrames(const Robot& robot, const ModelState& modelState, const LinkPoses& torsoFromLink) const;
   /// The same in two steps, for several boards along one chain: all but opticalFromBoard, then only that.
-  CameraFrames pathFrames(const Robot& robot, const ModelState& belief, const LinkPoses& torsoFromLink) const;
+  CameraFrames pathFrames(const Robot& robot, const ModelState& modelState, const LinkPoses& torsoFromLink) const;
   void placeBoard(const RigidTransform& linkFromBoard, CameraFrames& attitude) const;
 
   /// Sets the velocity of the scene in the optical frame for joint velocities `velocity` (one per joint) [rad/s].
-  void setDrift(const Robot& robot, const ModelState& belief, const LinkPoses& torsoFromLink,
+  void setDrift(const Robot& robot, const ModelState& modelState, const LinkPoses& torsoFromLink,
                 const Eigen::VectorXd& velocity, CameraFrames& attitude) const;
 
   /// Projects corners through the lens, each at the exposure time of its row:
@@ -75,18 +75,18 @@ public:
   ///
   /// The derivatives are taken at that position; the derivative of the drift itself is neglected (relative error at
   /// most velocity times 15 ms). Returns false if a corner lies behind the camera and so has no projection.
-  bool project(const CameraFrames& attitude, const ModelState& belief, const CornerBlocks& corners,
+  bool project(const CameraFrames& attitude, const ModelState& modelState, const CornerBlocks& corners,
                ProjectedBlocks& projected) const;
 
   /// Fills `columns` (6 + number of extras rows, one column per quantity in `wanted`) with the motion (omega, v) of the
   /// scene in the optical frame per unit of the quantity, or with 1 in the row of its extra if it is one. `extras`:
   /// indices of the extras (0..11) in the order of the rows beyond the six.
-  void fillMotionColumns(const Robot& robot, const CameraFrames& attitude, const ModelState& belief,
+  void fillMotionColumns(const Robot& robot, const CameraFrames& attitude, const ModelState& modelState,
                          const LinkPoses& torsoFromLink, const std::vector<std::size_t>& wanted,
                          const std::vector<std::size_t>& extras, Eigen::Ref<Eigen::MatrixXd> columns) const;
 
   /// d(u), d(v) of four corners per unit of an extra.
-  static void fillExtraRows(std::size_t extra, const CameraFrames& attitude, const ModelState& belief,
+  static void fillExtraRows(std::size_t extra, const CameraFrames& attitude, const ModelState& modelState,
                             const CornerBlock& corners, const ProjectedBlock& projected, Double4& du, Double4& dv);
 
   /// Index of a quantity among the extras (0..11), if it is one.
@@ -96,9 +96,9 @@ private:
   ObservationChain(const Robot& robot, const StateLayout& quantities, std::optional<std::size_t> camera,
                    std::size_t eyeLink, std::size_t targetLink, bool onFloor, std::size_t board);
   using Twist = Eigen::Matrix<double, 6, 1>; // omega [rad], v [m] per unit, in the optical frame
-  Twist linkMotion(const Robot& robot, const CameraFrames& attitude, const ModelState& belief,
+  Twist linkMotion(const Robot& robot, const CameraFrames& attitude, const ModelState& modelState,
                    const LinkPoses& torsoFromLink, std::size_t quantity) const;
-  Twist mountMotion(const Robot& robot, const ModelState& belief, std::size_t number) const;
+  Twist mountMotion(const Robot& robot, const ModelState& modelState, std::size_t number) const;
 
   StateLayout quantities_;
   std::optional<std::size_t> camera_; // absent: a link replaces the camera

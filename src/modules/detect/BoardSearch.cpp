@@ -49,20 +49,20 @@ public:
 private:
   struct Found {
     Eigen::Vector2d pixel;
-    PointMatch sighting;
+    PointMatch observation;
   };
 
   Eigen::Vector2d onBoard(int id) const { return cornerOnBoard(pattern_, id); }
 
   /// All known points except corner `id`.
   std::vector<PointMatch> others(int id) const {
-    std::vector<PointMatch> sightings = markerCorners_;
+    std::vector<PointMatch> observations = markerCorners_;
     for (const auto& [foundId, corner] : found_) {
       if (foundId != id) {
-        sightings.push_back(corner.sighting);
+        observations.push_back(corner.observation);
       }
     }
-    return sightings;
+    return observations;
   }
 
   Eigen::Vector2d pixel(const Eigen::Matrix3d& homography, const Eigen::Vector2d& place) const {
@@ -91,8 +91,8 @@ private:
 
   /// Whether a known point lies close enough to a corner to search for it.
   bool isNear(int id) const {
-    const auto sightings = others(id);
-    return std::any_of(sightings.begin(), sightings.end(),
+    const auto observations = others(id);
+    return std::any_of(observations.begin(), observations.end(),
                        [&](const PointMatch& one) { return (one.onBoard - onBoard(id)).norm() <= walkingDistance; });
   }
 
@@ -137,13 +137,13 @@ private:
   /// with and one without the corner. In least squares it has the same scatter for all corners, whether central or
   /// barely determined by the others.
   double misplacement(int id) const {
-    const auto distance = [&](const std::vector<PointMatch>& sightings) {
-      return (found_.at(id).pixel - pixel(*fitLocalHomography(sightings, onBoard(id)), onBoard(id))).norm();
+    const auto distance = [&](const std::vector<PointMatch>& observations) {
+      return (found_.at(id).pixel - pixel(*fitLocalHomography(observations, onBoard(id)), onBoard(id))).norm();
     };
-    auto sightings = others(id);
-    const double without = distance(sightings);
-    sightings.push_back(found_.at(id).sighting);
-    return std::sqrt(without * distance(sightings));
+    auto observations = others(id);
+    const double without = distance(observations);
+    observations.push_back(found_.at(id).observation);
+    return std::sqrt(without * distance(observations));
   }
 
   void removeMisplaced() {

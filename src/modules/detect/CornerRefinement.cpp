@@ -78,16 +78,16 @@ constexpr double scope = 2;         // [squares]
 constexpr double perspective = 0.1; // prior of the perspective change per square; stabilises four noisy corners
 
 /// Similarity that centres the matches and scales their spread to about one.
-Eigen::Matrix3d normalisation(const std::vector<PointMatch>& sightings) {
+Eigen::Matrix3d normalisation(const std::vector<PointMatch>& observations) {
   double sum = 0;
   Eigen::Vector2d mean = Eigen::Vector2d::Zero();
-  for (const PointMatch& one : sightings) {
+  for (const PointMatch& one : observations) {
     sum += one.weight;
     mean += one.weight * one.seenAt;
   }
   mean /= sum;
   double spread = 0;
-  for (const PointMatch& one : sightings) {
+  for (const PointMatch& one : observations) {
     spread += one.weight * (one.seenAt - mean).squaredNorm();
   }
   const double scale = std::sqrt(2 * sum / spread);
@@ -99,14 +99,14 @@ Eigen::Matrix3d normalisation(const std::vector<PointMatch>& sightings) {
 
 } // namespace
 
-std::optional<Eigen::Matrix3d> fitLocalHomography(const std::vector<PointMatch>& sightings,
+std::optional<Eigen::Matrix3d> fitLocalHomography(const std::vector<PointMatch>& observations,
                                                   const Eigen::Vector2d& around) {
-  if (sightings.size() < 4) {
+  if (observations.size() < 4) {
     return std::nullopt;
   }
-  const Eigen::Matrix3d normalised = normalisation(sightings);
+  const Eigen::Matrix3d normalised = normalisation(observations);
   Eigen::Matrix<double, 9, 9> normal = Eigen::Matrix<double, 9, 9>::Zero();
-  for (const PointMatch& one : sightings) {
+  for (const PointMatch& one : observations) {
     const Eigen::Vector3d x = (one.onBoard - around).homogeneous();
     const Eigen::Vector2d u = (normalised * one.seenAt.homogeneous()).head<2>();
     const double nearness = 1 / (1 + (one.onBoard - around).squaredNorm() / (scope * scope));

@@ -69,7 +69,7 @@ constexpr double unitSigma = 0.1; // [px] of a match with weight 1
 /// Weighted direct linear transform: each match counts by its weight times 1 / (1 + (d / scope)^2)^2, d its distance
 /// from `around`, scope = 2 squares, which limits the influence of lens model errors and uneven boards. Absent with
 /// fewer than four matches.
-std::optional<Eigen::Matrix3d> fitLocalHomography(const std::vector<PointMatch>& sightings,
+std::optional<Eigen::Matrix3d> fitLocalHomography(const std::vector<PointMatch>& observations,
                                                   const Eigen::Vector2d& around);
 
 /// The window for refining a corner: pairs of opposite points on the board.

@@ -35,21 +35,21 @@ Eigen::ArrayXd seenCells(const SmoothImage& picture, const LensDistortion& lens,
 
 double printCorrelation(const SmoothImage& picture, const LensDistortion& lens, const CharucoPattern& pattern,
                         const std::map<int, Eigen::Vector2d>& corners) {
-  std::vector<PointMatch> sightings;
+  std::vector<PointMatch> observations;
   for (const auto& [id, place] : corners) {
-    sightings.push_back({cornerOnBoard(pattern, id), lens.undistort(place), 1});
+    observations.push_back({cornerOnBoard(pattern, id), lens.undistort(place), 1});
   }
   double together = 0, seenSquares = 0, printedSquares = 0;
   for (int id = pattern.firstMarkerId; id < pattern.firstMarkerId + markerCount(pattern); ++id) {
     const auto marker = *markerOnBoard(pattern, id);
     const Eigen::Vector2d centre = (marker[0] + marker[2]) / 2;
-    const bool near = std::any_of(sightings.begin(), sightings.end(),
+    const bool near = std::any_of(observations.begin(), observations.end(),
                                   [&](const PointMatch& corner) { return (corner.onBoard - centre).norm() <= beside; });
     if (!near) {
       continue;
     }
     const Eigen::MatrixXi cells = markerCells(pattern.dictionary, id);
-    Eigen::ArrayXd seen = seenCells(picture, lens, *fitLocalHomography(sightings, centre), marker, cells.rows());
+    Eigen::ArrayXd seen = seenCells(picture, lens, *fitLocalHomography(observations, centre), marker, cells.rows());
     if (seen.size() == 0) {
       continue;
     }

@@ -2,6 +2,7 @@
 
 #include "diagnosis/LikelyEvent.hpp"
 #include "diagnosis/SetUps.hpp"
+#include "effects/Catalogue.hpp"
 #include "estimation/ModelBuilder.hpp"
 #include "inference/Thresholds.hpp"
 #include "io/InputError.hpp"
@@ -31,10 +32,10 @@ std::optional<double> estimateTerm(const Term& term, const Measurements& measure
 }
 
 /// rms distance of corners with the likeliest effect in the model [px]. Excludes gains: a wrong sign is a gain of -2.
-double rmsBesideLikeliest(const CandidateTests& inquiry, const Measurements& measurements, const Model& model) {
-  for (const std::size_t candidate : inquiry.candidatesByEvidence()) {
-    const Term& term = inquiry.candidates()[candidate];
-    if (term.effect.name == "encoderGain" || inquiry.candidateEvidence(candidate).bayes <= 0) {
+double rmsBesideLikeliest(const CandidateTests& candidateTests, const Measurements& measurements, const Model& model) {
+  for (const std::size_t candidate : candidateTests.candidatesByEvidence()) {
+    const Term& term = candidateTests.candidates()[candidate];
+    if (term.effect.name == effectName::encoderGain || candidateTests.candidateEvidence(candidate).bayes <= 0) {
       continue;
     }
     try {
@@ -49,19 +50,19 @@ double rmsBesideLikeliest(const CandidateTests& inquiry, const Measurements& mea
 }
 
 /// A set-up error: an effect of a size that only a wrong set-up explains.
-std::optional<DataAnomaly> findSetUp(const CandidateTests& inquiry, const Measurements& measurements) {
+std::optional<DataAnomaly> findSetUp(const CandidateTests& candidateTests, const Measurements& measurements) {
   constexpr double boardScale = 0.03, mirrored = -1.5;
   std::size_t best = 0;
-  for (std::size_t i = 1; i < inquiry.candidates().size(); ++i) {
-    if (inquiry.candidateEvidence(i).likelihoodRatio > inquiry.candidateEvidence(best).likelihoodRatio) {
+  for (std::size_t i = 1; i < candidateTests.candidates().size(); ++i) {
+    if (candidateTests.candidateEvidence(i).likelihoodRatio > candidateTests.candidateEvidence(best).likelihoodRatio) {
       best = i;
     }
   }
-  if (inquiry.candidates().empty()) {
+  if (candidateTests.candidates().empty()) {
     return std::nullopt;
   }
-  const Term& term = inquiry.candidates()[best];
-  const GroupEvidence& evidence = inquiry.candidateEvidence(best);
+  const Term& term = candidateTests.candidates()[best];
+  const GroupEvidence& evidence = candidateTests.candidateEvidence(best);
   constexpr double beyondDoubt = 30;
   if (evidence.likelihoodRatio < beyondDoubt) {
     return std::nullopt;
@@ -74,19 +75,20 @@ std::optional<DataAnomaly> findSetUp(const CandidateTests& inquiry, const Measur
                                    term.site == allSites ? "all boards" : "board " + term.place, 100 * std::abs(size),
                                    size > 0 ? "larger" : "smaller")};
   }
-  if (term.effect.name == "encoderGain" && evidence.estimate[0] < mirrored) {
+  if (term.effect.name == effectName::encoderGain && evidence.estimate[0] < mirrored) {
     return DataAnomaly{{}, fmt::format("{} seems to turn the other way: its angles have the wrong sign", term.place)};
   }
   return std::nullopt;
 }
 
 /// Whether a joint may have the wrong sign: a gain of -2, of which the linearised estimate shows a good part.
-bool mayBeMirrored(const CandidateTests& inquiry, std::size_t motor) {
+bool mayBeMirrored(const CandidateTests& candidateTests, std::size_t motor) {
   constexpr double notable = -0.3;
-  for (std::size_t i = 0; i < inquiry.candidates().size(); ++i) {
-    const Term& term = inquiry.candidates()[i];
-    if (term.effect.name == "encoderGain" && term.site == motor && inquiry.candidateEvidence(i).freedom > 0) {
-      const GroupEvidence& gain = inquiry.candidateEvidence(i);
+  for (std::size_t i = 0; i < candidateTests.candidates().size(); ++i) {
+    const Term& term = candidateTests.candidates()[i];
+    if (term.effect.name == effectName::encoderGain && term.site == motor &&
+        candidateTests.candidateEvidence(i).freedom > 0) {
+      const GroupEvidence& gain = candidateTests.candidateEvidence(i);
       return gain.estimate[0] - 3 * std::sqrt(gain.covariance(0, 0)) < notable;
     }
   }
@@ -95,26 +97,26 @@ bool mayBeMirrored(const CandidateTests& inquiry, std::size_t motor) {
 
 } // namespace
 
-std::vector<DataAnomaly> findAnomalies(const FittedModel& fitted, const CandidateTests& inquiry) {
-  const auto mirrored = [&](std::size_t motor) { return mayBeMirrored(inquiry, motor); };
+std::vector<DataAnomaly> findAnomalies(const FittedModel& fitted, const CandidateTests& candidateTests) {
+  const auto mirrored = [&](std::size_t motor) { return mayBeMirrored(candidateTests, motor); };
   GrossMisfit misfit = GrossMisfit::assess(fitted.fit, fitted.model);
   if (misfit.rmsPx > threshold::grossPx) {
-    misfit.explainedPx = rmsBesideLikeliest(inquiry, fitted.measurements, fitted.model);
+    misfit.explainedPx = rmsBesideLikeliest(candidateTests, fitted.measurements, fitted.model);
   }
   if (const auto setUp = findSetupError(fitted.measurements, misfit, mirrored)) {
     return {*setUp};
   }
-  std::vector<DataAnomaly> result = findTransientAnomalies(fitted, inquiry);
+  std::vector<DataAnomaly> result = findTransientAnomalies(fitted, candidateTests);
   if (result.empty()) { // an accident is far likelier than any effect, if it is named
-    if (const auto setUp = findSetUp(inquiry, fitted.measurements)) {
+    if (const auto setUp = findSetUp(candidateTests, fitted.measurements)) {
       result.push_back(*setUp);
     }
   }
   return result;
 }
 
-std::vector<DataAnomaly> findTransientAnomalies(const FittedModel& fitted, const CandidateTests& inquiry) {
-  const auto likeliest = findLikeliestEvent(fitted, inquiry);
+std::vector<DataAnomaly> findTransientAnomalies(const FittedModel& fitted, const CandidateTests& candidateTests) {
+  const auto likeliest = findLikeliestEvent(fitted, candidateTests);
   if (!likeliest) {
     return {};
   }
@@ -136,7 +138,7 @@ std::vector<DataAnomaly> findDisplacedBoards(const Measurements& measurements, c
     if (doubt.whole) {
       const ImageObservation& picture = measurements.pictures[doubt.picture];
       const int id = measurements.captureOf(picture).id;
-      const std::string& board = measurements.targets[picture.sightings[doubt.sighting].view.board()].name;
+      const std::string& board = measurements.targets[picture.observations[doubt.observation].view.board()].name;
       result.push_back(
           {.capture = id,
            .why = fmt::format("board {} in capture {} lies {:.0f} px from where all other captures put it: "
@@ -187,10 +189,10 @@ Effect makeDisplacement(std::size_t set, std::set<double> times) {
                              {"pitch", "rad", angle},
                              {"yaw", "rad", angle}},
                 .correct = {}};
-  effect.correct = [set, times = std::move(times)](ModelState& belief, const RobotSample& instant, std::size_t,
+  effect.correct = [set, times = std::move(times)](ModelState& modelState, const RobotSample& instant, std::size_t,
                                                    std::span<const double> values) {
     if (instant.set == set && times.contains(instant.time.count())) {
-      belief.worldFromSupport() += Eigen::Map<const Eigen::Matrix<double, 6, 1>>{values.data()};
+      modelState.worldFromSupport() += Eigen::Map<const Eigen::Matrix<double, 6, 1>>{values.data()};
     }
   };
   return effect;
@@ -198,9 +200,9 @@ Effect makeDisplacement(std::size_t set, std::set<double> times) {
 
 Together alone(const ImageObservation& picture, const Capture& capture, const std::vector<const BoardResidual*>& seen) {
   Together together{picture.set, capture.pose, {picture.instant.time.count()}, {capture.id}};
-  for (const BoardResidual* sighting : seen) {
-    const auto count = static_cast<double>(sighting->residual.cols());
-    together.squares += count * sighting->residual.rowwise().mean().squaredNorm();
+  for (const BoardResidual* observation : seen) {
+    const auto count = static_cast<double>(observation->residual.cols());
+    together.squares += count * observation->residual.rowwise().mean().squaredNorm();
     together.corners += count;
   }
   return together;
@@ -217,10 +219,11 @@ std::vector<Together> selectWorst(std::vector<Together> all, std::size_t most) {
 
 std::vector<TransientEvent> enumerateWrongAngles(const Measurements& measurements, const CalibrationResult& fit) {
   std::map<std::size_t, std::vector<const BoardResidual*>> byPicture;
-  for (const BoardResidual& sighting : fit.withReportedAngles) {
-    const ObservationChain& view = measurements.pictures[sighting.picture].sightings[sighting.sighting].view;
+  for (const BoardResidual& observation : fit.withReportedAngles) {
+    const ObservationChain& view =
+        measurements.pictures[observation.picture].observations[observation.observation].view;
     if (measurements.targets[view.board()].onFloor) {
-      byPicture[sighting.picture].push_back(&sighting);
+      byPicture[observation.picture].push_back(&observation);
     }
   }
   std::vector<Together> poses, approaches;

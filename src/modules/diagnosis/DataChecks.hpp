@@ -9,12 +9,12 @@ namespace naocal {
 
 /// Finds accidents and set-up errors: a displaced board or robot, a bad capture, a wrong board size, a joint of
 /// inverted sign, swapped camera names. Reports one only if it explains the captures far better than any effect.
-std::vector<DataAnomaly> findAnomalies(const FittedModel& fitted, const CandidateTests& inquiry);
+std::vector<DataAnomaly> findAnomalies(const FittedModel& fitted, const CandidateTests& candidateTests);
 
 /// Only one-off events, which an added effect may have hidden before.
-std::vector<DataAnomaly> findTransientAnomalies(const FittedModel& fitted, const CandidateTests& inquiry);
+std::vector<DataAnomaly> findTransientAnomalies(const FittedModel& fitted, const CandidateTests& candidateTests);
 
-/// Sightings with mostly outlying corners.
+/// Observations with mostly outlying corners.
 std::vector<DataAnomaly> findDisplacedBoards(const Measurements& measurements, const CalibrationResult& fit);
 
 /// Candidates for wrong joint angles during a whole approach or pose (somebody touched the robot, a joint gave way):

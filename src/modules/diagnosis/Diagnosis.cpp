@@ -22,7 +22,7 @@ namespace naocal {
 /// A model, its fit, and its candidate tests.
 struct DiagnosedModel {
   FittedModel fitted;
-  const CandidateTests& inquiry;
+  const CandidateTests& candidateTests;
 };
 
 /// Adds the figures to a finished diagnosis: captures per pose, correlations of the first candidates, their signatures,
@@ -34,26 +34,28 @@ namespace {
 /// Whether a curve of the map explains the misfit better than `candidate` and than any other named effect, transient
 /// effects aside (they do not predict). The required lead grows with the evidence: a free curve mimics several effects
 /// at once, which are then named one by one.
-bool isUnknown(const CandidateTests& inquiry, std::optional<std::size_t> candidate) {
-  const GroupEvidence& best = inquiry.curveEvidence(inquiry.curvesByEvidence().front());
+bool isUnknown(const CandidateTests& candidateTests, std::optional<std::size_t> candidate) {
+  const GroupEvidence& best = candidateTests.curveEvidence(candidateTests.curvesByEvidence().front());
   const double curve = best.matters() ? best.bayes : 0;
-  double named = candidate ? inquiry.candidateEvidence(*candidate).bayes : -threshold::unnamed;
-  for (std::size_t i = 0; i < inquiry.candidates().size(); ++i) {
-    named = isTransient(inquiry.candidates()[i].effect) ? named : std::max(named, inquiry.candidateEvidence(i).bayes);
+  double named = candidate ? candidateTests.candidateEvidence(*candidate).bayes : -threshold::unnamed;
+  for (std::size_t i = 0; i < candidateTests.candidates().size(); ++i) {
+    named = isTransient(candidateTests.candidates()[i].effect)
+                ? named
+                : std::max(named, candidateTests.candidateEvidence(i).bayes);
   }
   return curve > 0 && curve - named > std::max(threshold::unnamed, named * named / threshold::unnamedGrowth);
 }
 
 /// Whether a named effect elsewhere has so much evidence (more than twice the field's) that the field may be its
 /// consequence, or can wait until the effect is added.
-bool explains(const CandidateTests& inquiry, std::optional<std::size_t> candidate, const ImageField& field) {
+bool explains(const CandidateTests& candidateTests, std::optional<std::size_t> candidate, const ImageField& field) {
   if (!candidate) {
     return false;
   }
-  const Term& term = inquiry.candidates()[*candidate];
+  const Term& term = candidateTests.candidates()[*candidate];
   const EffectSite of = field.of == ImageField::Of::camera ? EffectSite::camera : EffectSite::board;
   const bool samePlace = term.effect.place == of && term.site == field.at;
-  return !samePlace && inquiry.candidateEvidence(*candidate).bayes > 2 * field.fit.bayes;
+  return !samePlace && candidateTests.candidateEvidence(*candidate).bayes > 2 * field.fit.bayes;
 }
 
 /// The field, unless it is the weak remainder of a field already explained. `most`: largest evidence of all fields so
@@ -108,40 +110,41 @@ Diagnosis questionModel(const Measurements& measurements, const Model& asked, co
   result.fit = ladder.fit();
   result.rmsPx = result.fit.rmsPx;
   bool unknown = false;
-  double most = 0;                     // largest evidence of a field within pictures so far
-  std::list<CandidateTests> inquiries; // tests of the model as given, and of the latest model
+  double most = 0;                    // largest evidence of a field within pictures so far
+  std::list<CandidateTests> allTests; // tests of the model as given, and of the latest model
   while (true) {
-    if (inquiries.size() > 1) {
-      inquiries.pop_back();
+    if (allTests.size() > 1) {
+      allTests.pop_back();
     }
     const FittedModel fitted{measurements, ladder.model(), ladder.fit()};
-    const CandidateTests& inquiry = inquiries.emplace_back(fitted, ladder.testableTerms(), options.inquiry);
-    ladder.recordStep(inquiry, result);
+    const CandidateTests& candidateTests =
+        allTests.emplace_back(fitted, ladder.testableTerms(), options.candidateTests);
+    ladder.recordStep(candidateTests, result);
     if (result.steps.size() == 1) {
-      result.anomalies = findAnomalies(fitted, inquiry);
-      result.alarm = inquiry.evidence().pValue;
+      result.anomalies = findAnomalies(fitted, candidateTests);
+      result.alarm = candidateTests.evidence().pValue;
     } else { // what was added may have hidden an accident
-      result.anomalies = findTransientAnomalies(fitted, inquiry);
+      result.anomalies = findTransientAnomalies(fitted, candidateTests);
     }
     const std::optional<ImageField> field = noteworthyField(findStrikingField(fitted), most);
     const double level = result.suggested.empty() ? options.alarm : threshold::laterAlarm * options.alarm;
-    const bool striking = inquiry.evidence().pValue <= level && inquiry.evidence().matters;
+    const bool striking = candidateTests.evidence().pValue <= level && candidateTests.evidence().matters;
     const bool alarm = (striking || field) && result.anomalies.empty();
-    const std::optional<StepwiseSelection::Choice> next = alarm ? ladder.chooseNext(inquiry) : std::nullopt;
+    const std::optional<StepwiseSelection::Choice> next = alarm ? ladder.chooseNext(candidateTests) : std::nullopt;
     const std::optional<std::size_t> candidate = next ? std::optional{next->candidate} : std::nullopt;
-    if (alarm && inquiry.curveCount() > 0) {
-      unknown = isUnknown(inquiry, candidate);
+    if (alarm && candidateTests.curveCount() > 0) {
+      unknown = isUnknown(candidateTests, candidate);
     }
     const bool unknownField =
-        alarm && field && !explains(inquiry, candidate, *field) && ladder.fieldPersists(*field, inquiry);
+        alarm && field && !explains(candidateTests, candidate, *field) && ladder.fieldPersists(*field, candidateTests);
     unknown = unknown || unknownField;
     const bool grows = options.extend && (!options.shouldContinue || options.shouldContinue());
-    if (!grows || !alarm || unknown || !candidate || !ladder.add(inquiry, *next, result)) {
+    if (!grows || !alarm || unknown || !candidate || !ladder.add(candidateTests, *next, result)) {
       if (ladder.takeBack(result)) {
         unknown = false;
         continue;
       }
-      auto [cells, best] = mapDrivers(inquiry, measurements);
+      auto [cells, best] = mapDrivers(candidateTests, measurements);
       result.driverScores = std::move(cells);
       result.driverCurves = std::move(best);
       if (unknownField) {
@@ -157,12 +160,12 @@ Diagnosis questionModel(const Measurements& measurements, const Model& asked, co
       result.verdict = verdictOf(result, ladder.fit().misfit, missing, unknown);
       result.with = ladder.added();
       if (unknown && !unknownField && grows) {
-        result.own = fitOwnEffect(result.driverCurves.front(), measurements, ladder, result, options.inquiry);
+        result.own = fitOwnEffect(result.driverCurves.front(), measurements, ladder, result, options.candidateTests);
       }
       const std::vector<std::string> leading = result.suggested.empty() && candidate
-                                                   ? std::vector{inquiry.candidates()[*candidate].label()}
+                                                   ? std::vector{candidateTests.candidates()[*candidate].label()}
                                                    : result.suggested;
-      result.ranking = judgeCandidates(ladder.findings(), inquiry, ladder.model(), ladder.fit(), leading);
+      result.ranking = judgeCandidates(ladder.findings(), candidateTests, ladder.model(), ladder.fit(), leading);
       if (result.own) {
         result.suggested.push_back(result.own->label);
         result.steps.push_back(result.own->step);
@@ -171,8 +174,8 @@ Diagnosis questionModel(const Measurements& measurements, const Model& asked, co
     }
   }
   result.lastFit = ladder.fit();
-  assembleFigures({{measurements, asked, result.fit}, inquiries.front()},
-                  {{measurements, ladder.model(), result.lastFit}, inquiries.back()}, result);
+  assembleFigures({{measurements, asked, result.fit}, allTests.front()},
+                  {{measurements, ladder.model(), result.lastFit}, allTests.back()}, result);
   result.sentence = summarize(result);
   return result;
 }
@@ -190,8 +193,8 @@ Measurements excludeSuspicious(const std::vector<DataAnomaly>& suspicious, Measu
     const bool spoiled = std::any_of(suspicious.begin(), suspicious.end(), [&](const DataAnomaly& suspicion) {
       return isSpoiled(suspicion) && suspicion.capture == id && suspicion.set == picture.set;
     });
-    for (std::size_t sighting = 0; spoiled && sighting < picture.sightings.size(); ++sighting) {
-      excludeObservation(measurements, {index, sighting});
+    for (std::size_t observation = 0; spoiled && observation < picture.observations.size(); ++observation) {
+      excludeObservation(measurements, {index, observation});
     }
   }
   return measurements;
@@ -256,7 +259,7 @@ namespace {
 
 Figures::Left buildResidualViews(const DiagnosedModel& diagnosed) {
   const FittedModel& fitted = diagnosed.fitted;
-  return {computeJointCorrections(fitted.measurements, diagnosed.inquiry), computeResidualField(fitted),
+  return {computeJointCorrections(fitted.measurements, diagnosed.candidateTests), computeResidualField(fitted),
           estimateBoardShapes(fitted)};
 }
 
@@ -270,13 +273,14 @@ void assembleFigures(const DiagnosedModel& given, const DiagnosedModel& last, Di
   std::vector<CandidateFinding*> findings;
   for (CandidateFinding& finding : diagnosis.ranking) {
     labels.push_back(finding.term.label());
-    if (const auto candidate = given.inquiry.findCandidate(labels.back()); candidate && candidates.size() < shown) {
+    if (const auto candidate = given.candidateTests.findCandidate(labels.back());
+        candidate && candidates.size() < shown) {
       candidates.push_back(*candidate);
       findings.push_back(&finding);
     }
   }
-  diagnosis.figures.aliases = computeAliasMatrix(given.inquiry, labels, compared);
-  std::vector<EffectSignature> looks = computeSignatures(given.fitted, given.inquiry, candidates);
+  diagnosis.figures.aliases = computeAliasMatrix(given.candidateTests, labels, compared);
+  std::vector<EffectSignature> looks = computeSignatures(given.fitted, given.candidateTests, candidates);
   for (std::size_t i = 0; i < looks.size(); ++i) {
     findings[i]->imprint = std::move(looks[i]);
   }

@@ -103,7 +103,7 @@ struct Diagnosis {
 
 struct DiagnosisOptions {
   CalibrationOptions calibration;
-  CandidateTestOptions inquiry;
+  CandidateTestOptions candidateTests;
   std::vector<std::string> with, without; // model to diagnose: the base model with and without these effects
   std::vector<Effect> effects = allEffects();
   double alarm = threshold::alarm;      // family-wise false-alarm rate

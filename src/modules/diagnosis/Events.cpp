@@ -64,10 +64,10 @@ Effect makeMove(EffectSite place, const Moment& moment) {
                 .place = place,
                 .unknowns = {{"x", "m", 0.02}, {"y", "m", 0.02}, {"yaw", "rad", 0.05}},
                 .correct = {}};
-  effect.correct = [place, moment](ModelState& belief, const RobotSample& instant, std::size_t at,
+  effect.correct = [place, moment](ModelState& modelState, const RobotSample& instant, std::size_t at,
                                    std::span<const double> values) {
     if (isAfter(instant, moment)) {
-      auto placement = place == EffectSite::board ? belief.boardPlacement(at) : belief.worldFromSupport();
+      auto placement = place == EffectSite::board ? modelState.boardPlacement(at) : modelState.worldFromSupport();
       placement[0] += values[0];
       placement[1] += values[1];
       placement[5] += values[2];
@@ -83,10 +83,10 @@ Effect makeTurn(std::string name, std::function<bool(const RobotSample&)> when) 
           .formula = {},
           .place = EffectSite::camera,
           .unknowns = {{"rx", "rad", 0.02}, {"ry", "rad", 0.02}, {"rz", "rad", 0.02}},
-          .correct = [when = std::move(when)](ModelState& belief, const RobotSample& instant, std::size_t,
+          .correct = [when = std::move(when)](ModelState& modelState, const RobotSample& instant, std::size_t,
                                               std::span<const double> values) {
             if (when(instant)) {
-              belief.mountRotation() += Eigen::Vector3d{values[0], values[1], values[2]};
+              modelState.mountRotation() += Eigen::Vector3d{values[0], values[1], values[2]};
             }
           }};
 }
@@ -108,10 +108,10 @@ Effect makeStep(const Moment& moment) {
           .formula = {},
           .place = EffectSite::motor,
           .unknowns = {{"step", "rad", 0.01}},
-          .correct = [moment](ModelState& belief, const RobotSample& instant, std::size_t joint,
+          .correct = [moment](ModelState& modelState, const RobotSample& instant, std::size_t joint,
                               std::span<const double> values) {
             if (isAfter(instant, moment)) {
-              belief.angle(joint) -= values[0];
+              modelState.angle(joint) -= values[0];
             }
           }};
 }
@@ -148,15 +148,15 @@ std::vector<TransientEvent> movesAt(std::size_t most, const Measurements& measur
   Times boards, stances, cameras, joints;
   for (const ImageObservation& picture : measurements.pictures) {
     const double time = picture.instant.time.count();
-    for (const BoardObservation& sighting : picture.sightings) {
-      if (measurements.targets[sighting.view.board()].onFloor) {
-        boards[{picture.set, sighting.view.board()}].insert(time);
+    for (const BoardObservation& observation : picture.observations) {
+      if (measurements.targets[observation.view.board()].onFloor) {
+        boards[{picture.set, observation.view.board()}].insert(time);
         stances[{picture.set, picture.stance}].insert(time);
       }
       cameras[{picture.set, picture.camera}].insert(time);
     }
     for (const std::size_t joint :
-         picture.sightings.empty() ? std::vector<std::size_t>{} : observedJoints(measurements.robot, picture)) {
+         picture.observations.empty() ? std::vector<std::size_t>{} : observedJoints(measurements.robot, picture)) {
       joints[{picture.set, measurements.robot.joints[joint].motor}].insert(time);
     }
   }
@@ -195,9 +195,9 @@ std::vector<TransientEvent> movesAt(std::size_t most, const Measurements& measur
 std::vector<std::size_t> worstPictures(std::size_t most, const Measurements& measurements,
                                        const CalibrationResult& fit) {
   std::vector<double> squares(measurements.pictures.size(), 0), corners = squares;
-  for (const BoardResidual& sighting : fit.withReportedAngles) {
-    squares[sighting.picture] += sighting.residual.squaredNorm();
-    corners[sighting.picture] += static_cast<double>(sighting.residual.cols());
+  for (const BoardResidual& observation : fit.withReportedAngles) {
+    squares[observation.picture] += observation.residual.squaredNorm();
+    corners[observation.picture] += static_cast<double>(observation.residual.cols());
   }
   std::vector<std::size_t> result;
   for (std::size_t picture = 0; picture < corners.size(); ++picture) {

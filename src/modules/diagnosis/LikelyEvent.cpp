@@ -37,15 +37,15 @@ std::vector<Noise> lowerLevels(const Noise& noise, std::size_t poses) {
 
 /// Best Bayes factor of each group over the noise levels, relative to the model at the first level, whose evidence is
 /// already computed.
-std::vector<double> findBestAtAnyLevel(const CandidateTests& inquiry, const std::vector<Noise>& levels) {
-  const ScoreProblem& problem = inquiry.problem();
+std::vector<double> findBestAtAnyLevel(const CandidateTests& candidateTests, const std::vector<Noise>& levels) {
+  const ScoreProblem& problem = candidateTests.problem();
   const PoseResiduals measured = measuredResiduals(*problem.poses);
   const auto devianceAt = [&](const Noise& level) {
     return NullModel{problem, level}(measured, problem.priorScore()).deviance[0] + poseNoisePenalty(level.pose) +
            poseNoisePenalty(level.reapproach);
   };
   std::vector<double> result;
-  for (const GroupEvidence& group : inquiry.evidence().groups) {
+  for (const GroupEvidence& group : candidateTests.evidence().groups) {
     result.push_back(group.bayes);
   }
   const double first = levels.size() > 1 ? devianceAt(levels.front()) : 0;
@@ -67,16 +67,16 @@ struct Rivals {
   double best() const { return std::max(lasting, passing); }
 };
 
-Rivals findRivals(const CandidateTests& inquiry, const std::vector<Noise>& levels) {
-  const std::vector<double> all = findBestAtAnyLevel(inquiry, levels);
-  const std::size_t named = inquiry.candidates().size();
+Rivals findRivals(const CandidateTests& candidateTests, const std::vector<Noise>& levels) {
+  const std::vector<double> all = findBestAtAnyLevel(candidateTests, levels);
+  const std::size_t named = candidateTests.candidates().size();
   Rivals result;
   for (std::size_t i = 0; i < named; ++i) {
-    double& best = isTransient(inquiry.candidates()[i].effect) ? result.passing : result.lasting;
+    double& best = isTransient(candidateTests.candidates()[i].effect) ? result.passing : result.lasting;
     best = std::max(best, all[i]);
   }
   for (std::size_t i = named; i < all.size(); ++i) {
-    if (inquiry.curveBasis(i - named).shape != DriverBasis::Shape::step) {
+    if (candidateTests.curveBasis(i - named).shape != DriverBasis::Shape::step) {
       result.passing = std::max(result.passing, all[i]);
     }
   }
@@ -98,8 +98,8 @@ Asked askEvents(std::vector<TransientEvent> events, const FittedModel& fitted, c
   for (const TransientEvent& event : events) {
     terms.push_back(event.term);
   }
-  const CandidateTests inquiry{fitted, terms, {.draws = 0, .map = false}};
-  Asked result{std::move(events), findBestAtAnyLevel(inquiry, levels), inquiry.evidence().groups};
+  const CandidateTests candidateTests{fitted, terms, {.draws = 0, .map = false}};
+  Asked result{std::move(events), findBestAtAnyLevel(candidateTests, levels), candidateTests.evidence().groups};
   for (std::size_t i = 0; i < result.events.size(); ++i) {
     result.bayes[i] += result.events[i].prior;
   }
@@ -225,15 +225,15 @@ std::optional<CalibrationResult> calibrateWithAllCorners(const FittedModel& fitt
   }
 }
 
-std::optional<LikelyEvent> findLikeliestAt(const FittedModel& fitted, const CandidateTests& inquiry) {
+std::optional<LikelyEvent> findLikeliestAt(const FittedModel& fitted, const CandidateTests& candidateTests) {
   std::vector<TransientEvent> events = enumerateEvents(fitted.measurements, fitted.fit);
   const std::vector<TransientEvent> angles = enumerateWrongAngles(fitted.measurements, fitted.fit);
   events.insert(events.end(), angles.begin(), angles.end());
   if (events.empty()) {
     return std::nullopt;
   }
-  const std::vector<Noise> levels = lowerLevels(inquiry.noise(), inquiry.poses().size());
-  const Rivals rivals = findRivals(inquiry, levels);
+  const std::vector<Noise> levels = lowerLevels(candidateTests.noise(), candidateTests.poses().size());
+  const Rivals rivals = findRivals(candidateTests, levels);
   const Asked coarse = askEvents(std::move(events), fitted, levels);
   constexpr double within = 0.5; // of what the rivals explain, where the best moments are not among the first few
   if (coarse.bayes[coarse.order.front()] <
@@ -257,16 +257,16 @@ std::optional<LikelyEvent> findLikeliestAt(const FittedModel& fitted, const Cand
 
 } // namespace
 
-std::optional<LikelyEvent> findLikeliestEvent(const FittedModel& fitted, const CandidateTests& inquiry) {
+std::optional<LikelyEvent> findLikeliestEvent(const FittedModel& fitted, const CandidateTests& candidateTests) {
   if (std::none_of(fitted.fit.doubts.begin(), fitted.fit.doubts.end(), std::mem_fn(&Outlier::whole))) {
-    return findLikeliestAt(fitted, inquiry);
+    return findLikeliestAt(fitted, candidateTests);
   }
   const std::optional<CalibrationResult> all = calibrateWithAllCorners(fitted);
   if (!all) {
-    return findLikeliestAt(fitted, inquiry);
+    return findLikeliestAt(fitted, candidateTests);
   }
   const FittedModel inFull{fitted.measurements, fitted.model, *all};
-  const CandidateTests again{inFull, inquiry.candidates(), {.draws = 0}};
+  const CandidateTests again{inFull, candidateTests.candidates(), {.draws = 0}};
   return findLikeliestAt(inFull, again);
 }
 

@@ -20,6 +20,6 @@ struct LikelyEvent {
 /// events are ranked by evidence linearised at the fit; the best few are fitted to determine object and moment. If the
 /// fit downweighted whole boards, refits with all corners at full weight: they may be all that was seen after the
 /// event.
-std::optional<LikelyEvent> findLikeliestEvent(const FittedModel& fitted, const CandidateTests& inquiry);
+std::optional<LikelyEvent> findLikeliestEvent(const FittedModel& fitted, const CandidateTests& candidateTests);
 
 } // namespace naocal

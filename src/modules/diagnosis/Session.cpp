@@ -3,6 +3,7 @@
 #include "io/Files.hpp"
 #include "io/InputError.hpp"
 #include "io/JsonReader.hpp"
+#include "io/JsonWriter.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -17,10 +18,6 @@ using Json = nlohmann::json;
 
 constexpr Range pixels{0, 1e9, "px"}, chance{0, 1, ""};
 
-Json orNull(const auto& value) {
-  return value ? Json(*value) : Json(nullptr);
-}
-
 Json revisionJson(const ModelRevision& rung) {
   Json json{{"with", rung.with}, {"without", rung.without},   {"define", Json::parse(rung.definitions)},
             {"step", rung.step}, {"from", orNull(rung.from)}, {"rmsPx", rung.rmsPx}};
@@ -32,23 +29,15 @@ Json revisionJson(const ModelRevision& rung) {
   return json;
 }
 
-std::vector<std::string> readTexts(const std::optional<JsonCursor>& list) {
-  std::vector<std::string> result;
-  if (list) {
-    for (const JsonCursor& one : list->elements()) {
-      result.push_back(one.text());
-    }
-  }
-  return result;
-}
-
 bool isKnown(const std::optional<JsonCursor>& place) {
   return place && !place->value().is_null();
 }
 
 /// `before`: number of preceding revisions.
 ModelRevision readRevision(const JsonCursor& place, int before) {
-  ModelRevision rung{.with = readTexts(place.at("with")), .without = readTexts(place.find("without"))};
+  const std::optional<JsonCursor> without = place.find("without");
+  ModelRevision rung{.with = place.at("with").texts(),
+                     .without = without ? without->texts() : std::vector<std::string>{}};
   if (const auto define = place.find("define")) {
     define->elements(); // a list; its elements are checked later, against the robot description
     rung.definitions = define->value().dump();
@@ -149,7 +138,7 @@ Session readSession(const std::filesystem::path& file) {
   const JsonCursor all{document, file.string()};
   all.at("format").wordIndex({"naocal-session"});
   all.at("version").integer(1, 1);
-  Session session{.inputs = {readTexts(all.at("sets")), readTexts(all.at("sha256"))}};
+  Session session{.inputs = {all.at("sets").texts(), all.at("sha256").texts()}};
   for (const JsonCursor& rung : all.at("ladder").elements()) {
     session.ladder.push_back(readRevision(rung, static_cast<int>(session.ladder.size())));
   }

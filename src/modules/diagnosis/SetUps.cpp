@@ -1,5 +1,6 @@
 #include "diagnosis/SetUps.hpp"
 
+#include "effects/Catalogue.hpp"
 #include "estimation/ModelBuilder.hpp"
 #include "inference/DriverBasis.hpp"
 #include "inference/Thresholds.hpp"
@@ -199,12 +200,12 @@ std::optional<DataAnomaly> findMovedFar(const Measurements& measurements, double
 
 GrossMisfit GrossMisfit::assess(const CalibrationResult& fit, const Model& model) {
   double all = 0, far = 0;
-  for (const BoardResidual& sighting : fit.withReportedAngles) {
-    all += static_cast<double>(sighting.residual.cols());
-    far += static_cast<double>((sighting.residual.colwise().norm().array() > threshold::impossiblePx).count());
+  for (const BoardResidual& observation : fit.withReportedAngles) {
+    all += static_cast<double>(observation.residual.cols());
+    far += static_cast<double>((observation.residual.colwise().norm().array() > threshold::impossiblePx).count());
   }
   const bool absurd = std::any_of(model.terms().begin(), model.terms().end(), [&](const Term& term) {
-    return term.effect.name == "jointOffset" &&
+    return term.effect.name == effectName::jointOffset &&
            std::abs(fit.unknowns[static_cast<Eigen::Index>(term.first)]) > mostOffset;
   });
   return {.rmsPx = fit.rmsPx,

@@ -154,7 +154,7 @@ StepwiseSelection::StepwiseSelection(const Measurements& measurements, const Mod
   }
 }
 
-/// Keeps all sightings, since a missing effect can resemble an accident. Uses the noise levels of the first step,
+/// Keeps all observations, since a missing effect can resemble an accident. Uses the noise levels of the first step,
 /// estimated under the widest model, so that all steps are comparable.
 CalibrationResult StepwiseSelection::calibrateFrom(const Model& model, std::optional<Eigen::VectorXd> start) const {
   CalibrationOptions options = options_.calibration;
@@ -204,17 +204,17 @@ CandidateFinding& StepwiseSelection::findingOf(const std::string& label) {
   return *found;
 }
 
-void StepwiseSelection::recordStep(const CandidateTests& inquiry, Diagnosis& diagnosis) {
-  for (std::size_t i = 0; i < inquiry.candidates().size(); ++i) {
-    CandidateFinding& finding = findingOf(inquiry.candidates()[i]);
-    finding.alone = diagnosis.steps.empty() ? inquiry.candidateEvidence(i) : finding.alone;
-    if (inquiry.candidateEvidence(i).bayes > finding.evidence.bayes) {
-      finding.evidence = inquiry.candidateEvidence(i);
+void StepwiseSelection::recordStep(const CandidateTests& candidateTests, Diagnosis& diagnosis) {
+  for (std::size_t i = 0; i < candidateTests.candidates().size(); ++i) {
+    CandidateFinding& finding = findingOf(candidateTests.candidates()[i]);
+    finding.alone = diagnosis.steps.empty() ? candidateTests.candidateEvidence(i) : finding.alone;
+    if (candidateTests.candidateEvidence(i).bayes > finding.evidence.bayes) {
+      finding.evidence = candidateTests.candidateEvidence(i);
       finding.step = diagnosis.steps.size();
       finding.plausible = isPlausible(finding.evidence, finding.term.sigmas());
     }
   }
-  std::vector<std::size_t> order = inquiry.candidatesByRank();
+  std::vector<std::size_t> order = candidateTests.candidatesByRank();
   order.resize(std::min<std::size_t>(order.size(), 10));
   std::vector<std::vector<std::size_t>> asked; // each candidate alone, then all pairs
   for (const std::size_t candidate : order) {
@@ -225,11 +225,11 @@ void StepwiseSelection::recordStep(const CandidateTests& inquiry, Diagnosis& dia
       asked.push_back({order[i], order[j]});
     }
   }
-  const std::optional<CrossValidation> held = crossValidate(inquiry, model_, diagnosis.suggested, asked);
+  const std::optional<CrossValidation> held = crossValidate(candidateTests, model_, diagnosis.suggested, asked);
   misleading_ = takenBack_;
   byTwo_.clear();
   for (std::size_t i = 0; i < order.size(); ++i) {
-    CandidateFinding& finding = findingOf(inquiry.candidates()[order[i]]);
+    CandidateFinding& finding = findingOf(candidateTests.candidates()[order[i]]);
     if (held && held->afterPx[i] >= held->beforePx) { // one of two missing effects may not help alone
       bool helps = false;
       for (std::size_t k = order.size(); k < asked.size(); ++k) {
@@ -243,14 +243,14 @@ void StepwiseSelection::recordStep(const CandidateTests& inquiry, Diagnosis& dia
         finding.heldOutBefore = held->beforePx;
         finding.heldOutAfter = held->afterPx[i];
       }
-      finding.addedVariable = computeAddedVariable(inquiry, model_, order[i]);
+      finding.addedVariable = computeAddedVariable(candidateTests, model_, order[i]);
     }
   }
-  const LackOfFit misfit = testLackOfFit(inquiry);
+  const LackOfFit misfit = testLackOfFit(candidateTests);
   SelectionStep step{.dropped = dropped_, .rmsPx = fit_.rmsPx, .noiseFloorPx = misfit.noiseFloorPx};
   step.chi2 = fit_.chi2;
   step.dof = fit_.dof;
-  step.alarm = inquiry.evidence().pValue;
+  step.alarm = candidateTests.evidence().pValue;
   if (held) {
     step.heldOutPx = held->chosenPx;
     step.nextPx = held->nextPx;
@@ -299,13 +299,13 @@ Model StepwiseSelection::addTerm(const Term& term) const {
   return buildModel(measurements_, labels, options_.without, options_.effects);
 }
 
-Model StepwiseSelection::addSizedTerm(const CandidateTests& inquiry, std::size_t candidate) const {
-  const Model model = addTerm(inquiry.candidates()[candidate]);
-  const Term* const term = model.find(inquiry.candidates()[candidate].label());
+Model StepwiseSelection::addSizedTerm(const CandidateTests& candidateTests, std::size_t candidate) const {
+  const Model model = addTerm(candidateTests.candidates()[candidate]);
+  const Term* const term = model.find(candidateTests.candidates()[candidate].label());
   if (!term) { // excluded by the user
     return model;
   }
-  const GroupEvidence& evidence = inquiry.candidateEvidence(candidate);
+  const GroupEvidence& evidence = candidateTests.candidateEvidence(candidate);
   const Eigen::ArrayXd information = evidence.covariance.diagonal().array().inverse();
   const Eigen::ArrayXd posterior = (information + term->sigmas().array().square().inverse()).inverse();
   Eigen::VectorXd expected = mapParameters(model_, fit_.unknowns, model),
@@ -315,20 +315,23 @@ Model StepwiseSelection::addSizedTerm(const CandidateTests& inquiry, std::size_t
   return addPriors(model, expected, variances).value_or(model);
 }
 
-bool StepwiseSelection::predictsFurtherPoses(const CandidateTests& inquiry, std::size_t candidate) const {
-  if (std::find(misleading_.begin(), misleading_.end(), inquiry.candidates()[candidate].label()) != misleading_.end()) {
+bool StepwiseSelection::predictsFurtherPoses(const CandidateTests& candidateTests, std::size_t candidate) const {
+  if (std::find(misleading_.begin(), misleading_.end(), candidateTests.candidates()[candidate].label()) !=
+      misleading_.end()) {
     return false;
   }
-  if (!isTransient(inquiry.candidates()[candidate].effect)) {
+  if (!isTransient(candidateTests.candidates()[candidate].effect)) {
     return true;
   }
-  for (std::size_t cell = 0; cell < inquiry.map().cells.size(); ++cell) {
-    if (inquiry.map().cells[cell].shape == DriverBasis::Shape::step &&
-        inquiry.curveEvidence(inquiry.mounts().size() + cell).bayes >= inquiry.candidateEvidence(candidate).bayes) {
+  for (std::size_t cell = 0; cell < candidateTests.map().cells.size(); ++cell) {
+    if (candidateTests.map().cells[cell].shape == DriverBasis::Shape::step &&
+        candidateTests.curveEvidence(candidateTests.mounts().size() + cell).bayes >=
+            candidateTests.candidateEvidence(candidate).bayes) {
       return false;
     }
   }
-  return scorePrequentially(inquiry.problem(), inquiry.noise(), sortPosesByTime(measurements_), candidate).predicts();
+  return scorePrequentially(candidateTests.problem(), candidateTests.noise(), sortPosesByTime(measurements_), candidate)
+      .predicts();
 }
 
 StepwiseSelection::Nearly StepwiseSelection::fitModelNearly(const Model& model, const Eigen::VectorXd& start) const {
@@ -336,33 +339,34 @@ StepwiseSelection::Nearly StepwiseSelection::fitModelNearly(const Model& model, 
   return {minimum.linear.cost, minimum.state.unknowns};
 }
 
-double StepwiseSelection::leastEvidence(const CandidateTests& inquiry) const {
+double StepwiseSelection::leastEvidence(const CandidateTests& candidateTests) const {
   const bool isFirst = added_.size() <= options_.with.size();
-  return isFirst ? 0 : 2 * std::log(std::max<double>(1, static_cast<double>(inquiry.candidates().size())));
+  return isFirst ? 0 : 2 * std::log(std::max<double>(1, static_cast<double>(candidateTests.candidates().size())));
 }
 
-std::optional<StepwiseSelection::Choice> StepwiseSelection::chooseNext(const CandidateTests& inquiry) {
+std::optional<StepwiseSelection::Choice> StepwiseSelection::chooseNext(const CandidateTests& candidateTests) {
   constexpr std::size_t most = 4;
-  std::vector<std::size_t> order, likely = inquiry.candidatesByEvidence();
-  const double floor = leastEvidence(inquiry);
-  std::erase_if(likely, [&](std::size_t candidate) { return inquiry.candidateEvidence(candidate).bayes <= floor; });
+  std::vector<std::size_t> order, likely = candidateTests.candidatesByEvidence();
+  const double floor = leastEvidence(candidateTests);
+  std::erase_if(likely,
+                [&](std::size_t candidate) { return candidateTests.candidateEvidence(candidate).bayes <= floor; });
   // significant but negligible candidates rank behind those that matter
   std::stable_partition(likely.begin(), likely.end(), [&](std::size_t candidate) {
-    return !inquiry.evidence().matters || inquiry.candidateEvidence(candidate).matters();
+    return !candidateTests.evidence().matters || candidateTests.candidateEvidence(candidate).matters();
   });
   const auto lasting = std::find_if(likely.begin(), likely.end(), [&](std::size_t candidate) {
-    return !isTransient(inquiry.candidates()[candidate].effect);
+    return !isTransient(candidateTests.candidates()[candidate].effect);
   });
   const double least =
-      lasting == likely.end() ? 0 : inquiry.candidateEvidence(*lasting).bayes - threshold::maxEvidenceGap;
+      lasting == likely.end() ? 0 : candidateTests.candidateEvidence(*lasting).bayes - threshold::maxEvidenceGap;
   for (const std::size_t candidate : likely) {
-    const GroupEvidence& here = inquiry.candidateEvidence(candidate);
-    const GroupEvidence& first = inquiry.candidateEvidence(order.empty() ? candidate : order.front());
+    const GroupEvidence& here = candidateTests.candidateEvidence(candidate);
+    const GroupEvidence& first = candidateTests.candidateEvidence(order.empty() ? candidate : order.front());
     if (order.size() == most || here.bayes < first.bayes - threshold::veryStrong || here.bayes < least ||
-        (inquiry.evidence().matters && here.matters() != first.matters())) {
+        (candidateTests.evidence().matters && here.matters() != first.matters())) {
       break;
     }
-    if (predictsFurtherPoses(inquiry, candidate)) {
+    if (predictsFurtherPoses(candidateTests, candidate)) {
       order.push_back(candidate);
     }
   }
@@ -371,15 +375,15 @@ std::optional<StepwiseSelection::Choice> StepwiseSelection::chooseNext(const Can
   }
   std::vector<Nearly> fits(order.size() + 1); // last entry: the model without any candidate
   parallelFor(fits.size(), [&](std::size_t i) {
-    const Model model = i < order.size() ? addSizedTerm(inquiry, order[i]) : model_;
+    const Model model = i < order.size() ? addSizedTerm(candidateTests, order[i]) : model_;
     fits[i] = fitModelNearly(model, mapParameters(model_, fit_.unknowns, model));
   });
   std::optional<Choice> best;
   double bestBayes = 0;
   for (std::size_t i = 0; i < order.size(); ++i) {
-    const GroupEvidence& evidence = inquiry.candidateEvidence(order[i]);
+    const GroupEvidence& evidence = candidateTests.candidateEvidence(order[i]);
     const double drop = 2 * (fits.back().cost - fits[i].cost);
-    CandidateFinding& finding = findingOf(inquiry.candidates()[order[i]]);
+    CandidateFinding& finding = findingOf(candidateTests.candidates()[order[i]]);
     if (finding.evidence.bayes == evidence.bayes) { // the recorded evidence is of this step
       finding.chi2Drop = drop;
     }
@@ -447,12 +451,12 @@ void StepwiseSelection::unmarkEquivalent(const std::string& one, const std::stri
   std::erase(findingOf(other).equivalent, one);
 }
 
-bool StepwiseSelection::add(const CandidateTests& inquiry, const Choice& choice, Diagnosis& diagnosis) {
+bool StepwiseSelection::add(const CandidateTests& candidateTests, const Choice& choice, Diagnosis& diagnosis) {
   const std::size_t most = std::max<std::size_t>(1, measurements_.poses.size() / 4);
   if (diagnosis.steps.size() > most) {
     return false;
   }
-  const Term& term = inquiry.candidates()[choice.candidate];
+  const Term& term = candidateTests.candidates()[choice.candidate];
   if (!before_ && std::find(byTwo_.begin(), byTwo_.end(), term.label()) != byTwo_.end()) {
     const std::vector<SelectionStep>& steps = diagnosis.steps;
     before_.emplace(Before{added_, model_, fit_, findings_, diagnosis.suggested, steps.size(),
@@ -460,9 +464,9 @@ bool StepwiseSelection::add(const CandidateTests& inquiry, const Choice& choice,
   }
   CandidateFinding& finding = findingOf(term);
   finding.state = CandidateState::present;
-  finding.evidence.bayes = std::max(finding.evidence.bayes, inquiry.candidateEvidence(choice.candidate).bayes);
-  for (std::size_t other : findEquivalents(inquiry, choice.candidate)) {
-    markEquivalent(term, inquiry.candidates()[other]);
+  finding.evidence.bayes = std::max(finding.evidence.bayes, candidateTests.candidateEvidence(choice.candidate).bayes);
+  for (std::size_t other : findEquivalents(candidateTests, choice.candidate)) {
+    markEquivalent(term, candidateTests.candidates()[other]);
   }
   added_.push_back(term.label());
   diagnosis.suggested.push_back(term.label());
@@ -494,11 +498,12 @@ bool StepwiseSelection::takeBack(Diagnosis& diagnosis) {
   return true;
 }
 
-bool StepwiseSelection::fieldPersists(const ImageField& field, const CandidateTests& inquiry) const {
+bool StepwiseSelection::fieldPersists(const ImageField& field, const CandidateTests& candidateTests) const {
   constexpr std::size_t most = 6;
-  const std::vector<std::size_t> order = inquiry.candidatesByEvidence();
-  for (std::size_t i = 0; i < std::min(most, order.size()) && inquiry.candidateEvidence(order[i]).bayes > 0; ++i) {
-    const Model larger = addTerm(inquiry.candidates()[order[i]]);
+  const std::vector<std::size_t> order = candidateTests.candidatesByEvidence();
+  for (std::size_t i = 0; i < std::min(most, order.size()) && candidateTests.candidateEvidence(order[i]).bayes > 0;
+       ++i) {
+    const Model larger = addTerm(candidateTests.candidates()[order[i]]);
     const CalibrationResult fit = fitLarger(larger);
     if (refitField(field, {{measurements_, larger, fit}}, measurements_).fit.bayes < field.fit.bayes / 2) {
       return false;

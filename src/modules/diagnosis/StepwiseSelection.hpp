@@ -30,7 +30,7 @@ public:
   std::vector<Term> testableTerms() const;
 
   /// Records the model's step and the evidence of each candidate.
-  void recordStep(const CandidateTests& inquiry, Diagnosis& diagnosis);
+  void recordStep(const CandidateTests& candidateTests, Diagnosis& diagnosis);
   /// A candidate to add, and the approximate minimum of the model with it.
   struct Choice {
     std::size_t candidate = 0;
@@ -38,15 +38,15 @@ public:
   };
   /// Next effect to add: the likeliest, judged by fits of the first few candidates that lower the held-out error;
   /// transient ones must also predict the last poses and beat every step over time. Absent if none improves the model.
-  std::optional<Choice> chooseNext(const CandidateTests& inquiry);
+  std::optional<Choice> chooseNext(const CandidateTests& candidateTests);
   /// Adds an effect, refits, and drops effects it made superfluous. False: the limit of a quarter of the poses is
   /// reached.
-  bool add(const CandidateTests& inquiry, const Choice& choice, Diagnosis& diagnosis);
+  bool add(const CandidateTests& candidateTests, const Choice& choice, Diagnosis& diagnosis);
   /// Final check: removes the effects added since one that only helps in combination, unless together they lowered the
   /// held-out error. False: nothing to remove.
   bool takeBack(Diagnosis& diagnosis);
   /// Whether a field within pictures keeps at least half of its evidence, whichever of the likeliest effects is added.
-  bool fieldPersists(const ImageField& field, const CandidateTests& inquiry) const;
+  bool fieldPersists(const ImageField& field, const CandidateTests& candidateTests) const;
   /// Refits the model with displaced boards excluded; its outliers name them.
   CalibrationResult refitWithoutDisplacedBoards() const;
   /// Fits a model that contains this one's unknowns, starting from them.
@@ -72,15 +72,15 @@ private:
   /// The model with one more effect.
   Model addTerm(const Term& term) const;
   /// The model with a candidate, its priors widened to the estimated size.
-  Model addSizedTerm(const CandidateTests& inquiry, std::size_t candidate) const;
+  Model addSizedTerm(const CandidateTests& candidateTests, std::size_t candidate) const;
   /// Drops earlier additions that the last one made superfluous.
   void dropSuperfluous(std::vector<std::string>& suggested);
   /// 2 ln(Bayes factor) that a candidate must exceed. The alarm alone guards the first addition. A later one must
   /// outweigh the number K of candidates that it was chosen from: 2 ln K, even odds beforehand that one of them is
   /// there. On 200 simulated robots with two effects, half of the later additions below that were wrong.
-  double leastEvidence(const CandidateTests& inquiry) const;
+  double leastEvidence(const CandidateTests& candidateTests) const;
   /// Whether the candidate predicts poses that it was not fitted to.
-  bool predictsFurtherPoses(const CandidateTests& inquiry, std::size_t candidate) const;
+  bool predictsFurtherPoses(const CandidateTests& candidateTests, std::size_t candidate) const;
   /// Approximate minimum (cost to 0.01) at the noise levels of this step.
   struct Nearly {
     double cost = 0;

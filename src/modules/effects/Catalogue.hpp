@@ -6,6 +6,19 @@
 
 namespace naocal {
 
+/// Names of effects that code elsewhere singles out.
+namespace effectName {
+inline constexpr char jointOffset[] = "jointOffset";
+inline constexpr char cameraRotation[] = "cameraRotation";
+inline constexpr char encoderGain[] = "encoderGain";
+inline constexpr char elasticity[] = "elasticity";
+inline constexpr char spring[] = "spring"; // alias of elasticity in files
+inline constexpr char hysteresis[] = "hysteresis";
+inline constexpr char gearPlay[] = "gearPlay";
+inline constexpr char boardPlacement[] = "boardPlacement";
+inline constexpr char stancePlacement[] = "stancePlacement";
+} // namespace effectName
+
 Effect jointOffset();
 Effect encoderGain();
 Effect encoderEccentricity();

@@ -162,9 +162,9 @@ Effect parseUserEffect(const JsonCursor& definition, const Robot& robot) {
   effect.what = what ? what->text() : "an effect of your own";
   effect.formula = "+" + correction.text();
   effect.definition = definition.value().dump();
-  effect.correct = [expression](ModelState& belief, const RobotSample& instant, std::size_t joint,
+  effect.correct = [expression](ModelState& modelState, const RobotSample& instant, std::size_t joint,
                                 std::span<const double> values) {
-    belief.angle(joint) += expression(instant, joint, values);
+    modelState.angle(joint) += expression(instant, joint, values);
   };
   return effect;
 }

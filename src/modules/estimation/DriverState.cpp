@@ -46,11 +46,11 @@ void shareLegLoad(const Robot& robot, const GravityLoad& right, double leftLoad,
   }
 }
 
-GravityLoad computeLoad(const Robot& robot, const ModelState& belief, const RobotSample& instant,
+GravityLoad computeLoad(const Robot& robot, const ModelState& modelState, const RobotSample& instant,
                         bool withGrowthByAngle) {
-  const LinkPoses torsoFromLink = forwardKinematics(robot, belief);
+  const LinkPoses torsoFromLink = forwardKinematics(robot, modelState);
   const auto loadOn = [&](std::size_t heldLink) {
-    return gravityLoad(robot, belief, torsoFromLink, heldLink, torsoFromLink[heldLink].rotation.col(2),
+    return gravityLoad(robot, modelState, torsoFromLink, heldLink, torsoFromLink[heldLink].rotation.col(2),
                        withGrowthByAngle);
   };
   switch (instant.supportFoot) {
@@ -90,9 +90,9 @@ DriverState driveState(const Measurements& measurements, const Model& model, con
   if (!loaded) {
     return result;
   }
-  ModelState belief = picture.nominal;
-  belief.values.head(joints) = result.instant.q;
-  const GravityLoad load = computeLoad(robot, belief, result.instant, growth);
+  ModelState modelState = picture.nominal;
+  modelState.values.head(joints) = result.instant.q;
+  const GravityLoad load = computeLoad(robot, modelState, result.instant, growth);
   result.instant.torque = load.torque;
   result.instant.torqueGrowth = load.torqueGrowth;
   result.instant.com = load.com.head<2>();

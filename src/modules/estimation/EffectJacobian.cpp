@@ -68,8 +68,8 @@ public:
       return true;
     }
     const std::size_t board = (quantity - quantities_.board(0)) / (quantities_.board(1) - quantities_.board(0));
-    return std::any_of(picture_.sightings.begin(), picture_.sightings.end(),
-                       [&](const BoardObservation& sighting) { return sighting.view.board() == board; });
+    return std::any_of(picture_.observations.begin(), picture_.observations.end(),
+                       [&](const BoardObservation& observation) { return observation.view.board() == board; });
   }
 
 private:
@@ -83,11 +83,11 @@ private:
 EffectJacobian::EffectJacobian(const Measurements& measurements, const Model& model, const ImageObservation& picture) {
   const Visible visible{measurements, picture};
   std::optional<RobotSample> inGeneral; // created on demand
-  ModelState belief = picture.nominal;
+  ModelState modelState = picture.nominal;
   std::vector<Varying> varying;
   for (std::size_t term = 0; term < model.terms().size(); ++term) {
     for (const std::size_t place : sitesOn(model.terms()[term], measurements, picture)) {
-      Varying found = correction(model, picture, term, place, belief, inGeneral);
+      Varying found = correction(model, picture, term, place, modelState, inGeneral);
       if (std::any_of(found.quantities.begin(), found.quantities.end(), std::cref(visible))) {
         varying.push_back(std::move(found));
       }
@@ -102,7 +102,7 @@ EffectJacobian::EffectJacobian(const Measurements& measurements, const Model& mo
 
 /// Lists the slopes of a fixed correction; for a varying one, returns the quantities it corrects.
 EffectJacobian::Varying EffectJacobian::correction(const Model& model, const ImageObservation& picture,
-                                                   std::size_t term, std::size_t place, ModelState& belief,
+                                                   std::size_t term, std::size_t place, ModelState& modelState,
                                                    std::optional<RobotSample>& inGeneral) {
   const Effect& effect = model.terms()[term].effect;
   Varying result{term, place, {}, drivers(effect, place), {}};
@@ -120,13 +120,13 @@ EffectJacobian::Varying EffectJacobian::correction(const Model& model, const Ima
   for (std::size_t k = 0; k < values.size(); ++k) {
     const double step = effect.unknowns[k].sigma;
     values[k] = step;
-    effect.correct(belief, instant, place, values);
+    effect.correct(modelState, instant, place, values);
     values[k] = 0;
-    for (Eigen::Index i = firstDifference(belief.values, drawn, 0); i < drawn.size();
-         i = firstDifference(belief.values, drawn, i + 1)) {
+    for (Eigen::Index i = firstDifference(modelState.values, drawn, 0); i < drawn.size();
+         i = firstDifference(modelState.values, drawn, i + 1)) {
       const auto quantity = static_cast<std::size_t>(i);
-      const double slope = (belief.values[i] - drawn[i]) / step;
-      belief.values[i] = drawn[i];
+      const double slope = (modelState.values[i] - drawn[i]) / step;
+      modelState.values[i] = drawn[i];
       if (fixed) {
         slopes_.push_back({quantity, model.terms()[term].first + k, slope});
       } else if (std::find(result.quantities.begin(), result.quantities.end(), quantity) == result.quantities.end()) {
@@ -158,9 +158,9 @@ void EffectJacobian::listSlopes(const Robot& robot, const Model& model, Varying 
   varying_.push_back(std::move(varying));
 }
 
-void EffectJacobian::applyFixed(const Eigen::VectorXd& unknowns, ModelState& belief) const {
+void EffectJacobian::applyFixed(const Eigen::VectorXd& unknowns, ModelState& modelState) const {
   for (std::size_t i = 0; i < fixedCount_; ++i) {
-    belief.values[static_cast<Eigen::Index>(slopes_[i].quantity)] +=
+    modelState.values[static_cast<Eigen::Index>(slopes_[i].quantity)] +=
         slopes_[i].value * unknowns[static_cast<Eigen::Index>(slopes_[i].unknown)];
   }
 }
@@ -172,9 +172,9 @@ std::vector<StateDerivative> evaluateJacobian(const Measurements& measurements, 
   if (all.hasVarying()) {
     DriverState driven = computeDrivers(measurements, model, picture, unknowns);
     EffectJacobian::Scratch scratch;
-    ModelState belief = picture.nominal;
+    ModelState modelState = picture.nominal;
     std::vector<double> values(result.size() - all.fixedCount());
-    all.applyVarying(model, picture, unknowns, driven, scratch, belief, values.data());
+    all.applyVarying(model, picture, unknowns, driven, scratch, modelState, values.data());
     for (std::size_t i = 0; i < values.size(); ++i) {
       result[all.fixedCount() + i].value = values[i];
     }
@@ -245,17 +245,17 @@ private:
 } // namespace
 
 void EffectJacobian::applyVarying(const Model& model, const ImageObservation& picture, const Eigen::VectorXd& unknowns,
-                                  DriverState& driven, Scratch& scratch, ModelState& belief, double* values) const {
-  scratch.belief = picture.nominal;
+                                  DriverState& driven, Scratch& scratch, ModelState& modelState, double* values) const {
+  scratch.modelState = picture.nominal;
   for (const Varying& varying : varying_) {
     const Term& term = model.terms()[varying.term];
     const std::vector<Unknown>& own = term.effect.unknowns;
     const std::size_t width = own.size() + varying.offsets.size();
     std::fill_n(values, width * varying.quantities.size(), 0);
-    const Correction correction{term.effect, varying.at, varying.quantities, picture.nominal, scratch.belief};
+    const Correction correction{term.effect, varying.at, varying.quantities, picture.nominal, scratch.modelState};
     const std::span<const double> here = term.values(unknowns);
     correction(driven.instant, here,
-               [&](std::size_t i, double change) { belief.values[eigenIndex(varying.quantities[i])] += change; });
+               [&](std::size_t i, double change) { modelState.values[eigenIndex(varying.quantities[i])] += change; });
     scratch.values.assign(here.begin(), here.end());
     for (std::size_t k = 0; k < own.size(); ++k) {
       const double step = term.effect.linear ? own[k].sigma : 1e-4 * own[k].sigma;

@@ -29,19 +29,19 @@ public:
   std::size_t fixedCount() const { return fixedCount_; }
   bool hasVarying() const { return !varying_.empty(); }
 
-  /// Adds the corrections of the fixed slopes to `belief`.
-  void applyFixed(const Eigen::VectorXd& unknowns, ModelState& belief) const;
+  /// Adds the corrections of the fixed slopes to `modelState`.
+  void applyFixed(const Eigen::VectorXd& unknowns, ModelState& modelState) const;
 
   /// Buffers reused across evaluations.
   struct Scratch {
-    ModelState belief{StateLayout{0, 0, 0}};
+    ModelState modelState{StateLayout{0, 0, 0}};
     std::vector<double> values;
   };
-  /// Adds the corrections of the varying terms to `belief` and writes the values of their slopes to `values`, in the
-  /// order of `entries()` from `fixedCount()` on. Derivatives by a term's drivers are central differences of that term,
-  /// combined with `driven` by the chain rule; `driven` is unchanged on return.
+  /// Adds the corrections of the varying terms to `modelState` and writes the values of their slopes to `values`, in
+  /// the order of `entries()` from `fixedCount()` on. Derivatives by a term's drivers are central differences of that
+  /// term, combined with `driven` by the chain rule; `driven` is unchanged on return.
   void applyVarying(const Model& model, const ImageObservation& picture, const Eigen::VectorXd& unknowns,
-                    DriverState& driven, Scratch& scratch, ModelState& belief, double* values) const;
+                    DriverState& driven, Scratch& scratch, ModelState& modelState, double* values) const;
 
 private:
   struct Varying {
@@ -51,7 +51,7 @@ private:
     std::vector<std::size_t> offsets;    // those offsets, as indices into the model's
   };
   Varying correction(const Model& model, const ImageObservation& picture, std::size_t term, std::size_t place,
-                     ModelState& belief, std::optional<RobotSample>& inGeneral);
+                     ModelState& modelState, std::optional<RobotSample>& inGeneral);
   void listSlopes(const Robot& robot, const Model& model, Varying varying);
 
   std::vector<StateDerivative> slopes_;

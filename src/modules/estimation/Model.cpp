@@ -1,5 +1,6 @@
 #include "estimation/Model.hpp"
 
+#include "effects/Catalogue.hpp"
 #include "estimation/DriverState.hpp"
 
 #include <algorithm>
@@ -26,7 +27,7 @@ Eigen::VectorXd mapParameters(const Model& from, const Eigen::VectorXd& unknowns
 void Model::add(Term term) {
   term.first = unknownCount_;
   unknownCount_ += term.effect.unknowns.size();
-  if (term.effect.name == "jointOffset") {
+  if (term.effect.name == effectName::jointOffset) {
     offsets_.push_back(terms_.size());
   }
   terms_.push_back(std::move(term));
@@ -120,13 +121,13 @@ std::vector<std::size_t> sitesOn(const Term& term, const Measurements& measureme
 ModelState predictState(const Measurements& measurements, const Model& model, const ImageObservation& picture,
                         const Eigen::VectorXd& unknowns) {
   const RobotSample instant = sampleAt(measurements, model, picture, unknowns);
-  ModelState belief = picture.nominal;
+  ModelState modelState = picture.nominal;
   for (const Term& term : model.terms()) {
     for (std::size_t at : sitesOn(term, measurements, picture)) {
-      term.effect.correct(belief, instant, at, term.values(unknowns));
+      term.effect.correct(modelState, instant, at, term.values(unknowns));
     }
   }
-  return belief;
+  return modelState;
 }
 
 } // namespace naocal

@@ -1,5 +1,6 @@
 #include "estimation/ModelBuilder.hpp"
 
+#include "effects/Catalogue.hpp"
 #include "estimation/EffectJacobian.hpp"
 #include "estimation/Model.hpp"
 #include "io/InputError.hpp"
@@ -39,7 +40,7 @@ Touched findTouched(const Measurements& measurements) {
   const Robot& robot = measurements.robot;
   Touched result;
   for (const ImageObservation& picture : measurements.pictures) {
-    if (picture.sightings.empty()) {
+    if (picture.observations.empty()) {
       continue;
     }
     result.cameras.insert(picture.camera);
@@ -47,11 +48,11 @@ Touched findTouched(const Measurements& measurements) {
       result.joints.insert(joint);
       result.motors.insert(robot.joints[joint].motor);
     }
-    for (const BoardObservation& sighting : picture.sightings) {
-      const Target& target = measurements.targets[sighting.view.board()];
-      touchLengths(robot, sighting.view, result.lengths);
+    for (const BoardObservation& observation : picture.observations) {
+      const Target& target = measurements.targets[observation.view.board()];
+      touchLengths(robot, observation.view, result.lengths);
       if (target.board.pattern) {
-        result.boards.insert(sighting.view.board());
+        result.boards.insert(observation.view.board());
       }
       for (std::size_t sole = 0; target.onFloor && sole < robot.soles.size(); ++sole) {
         if (isStanceSole(robot.soles[sole], picture.instant.supportFoot)) {
@@ -147,7 +148,7 @@ std::optional<std::string> untestableReason(const Effect& effect, std::size_t at
   for (const ImageObservation& picture : measurements.pictures) {
     const std::vector<std::size_t> places = sitesOn(term, measurements, picture);
     const bool shares = effect.place == EffectSite::sole && picture.instant.supportFoot == SupportFoot::both;
-    if (picture.sightings.empty() || places.empty() || shares) {
+    if (picture.observations.empty() || places.empty() || shares) {
       continue;
     }
     const bool ofJoint = effect.place == EffectSite::motor || effect.place == EffectSite::joint;
@@ -381,7 +382,7 @@ namespace {
 Effect placementEffect(EffectSite place, const std::vector<std::size_t>& numbers, const std::vector<double>& sigmas) {
   static const std::vector<Unknown> all{{"x", "m", 0},      {"y", "m", 0},       {"z", "m", 0},
                                         {"roll", "rad", 0}, {"pitch", "rad", 0}, {"yaw", "rad", 0}};
-  Effect effect{.name = place == EffectSite::board ? "boardPlacement" : "stancePlacement",
+  Effect effect{.name = place == EffectSite::board ? effectName::boardPlacement : effectName::stancePlacement,
                 .what = "where it lies or stands",
                 .formula = "placement = start + (x, y, z, roll, pitch, yaw)",
                 .place = place,
@@ -391,11 +392,11 @@ Effect placementEffect(EffectSite place, const std::vector<std::size_t>& numbers
     effect.unknowns.push_back(all[numbers[i]]);
     effect.unknowns.back().sigma = sigmas[i];
   }
-  effect.correct = [place, numbers](ModelState& belief, const RobotSample&, std::size_t at,
+  effect.correct = [place, numbers](ModelState& modelState, const RobotSample&, std::size_t at,
                                     std::span<const double> values) {
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       const auto number = static_cast<Eigen::Index>(numbers[i]);
-      (place == EffectSite::board ? belief.boardPlacement(at) : belief.worldFromSupport())[number] += values[i];
+      (place == EffectSite::board ? modelState.boardPlacement(at) : modelState.worldFromSupport())[number] += values[i];
     }
   };
   return effect;
@@ -430,9 +431,9 @@ void addBoardPlacement(const Measurements& measurements, std::size_t index, Mode
 void addPlacementTerms(const Measurements& measurements, Model& model) {
   std::set<std::size_t> seen, stood;
   for (const ImageObservation& picture : measurements.pictures) {
-    for (const BoardObservation& sighting : picture.sightings) {
-      seen.insert(sighting.view.board());
-      if (measurements.targets[sighting.view.board()].onFloor) {
+    for (const BoardObservation& observation : picture.observations) {
+      seen.insert(observation.view.board());
+      if (measurements.targets[observation.view.board()].onFloor) {
         stood.insert(picture.stance);
       }
     }

@@ -261,17 +261,17 @@ void prepareImage(const Measurements& measurements, const ImageObservation& pict
     return boardOf(measurements.quantities, slope.quantity).has_value();
   });
   prepared.groups.clear();
-  for (std::size_t i = 0; i < picture.sightings.size(); ++i) {
-    const ObservationChain& view = picture.sightings[i].view;
+  for (std::size_t i = 0; i < picture.observations.size(); ++i) {
+    const ObservationChain& view = picture.observations[i].view;
     links.add(view.links());
     const auto known = std::find_if(prepared.groups.begin(), prepared.groups.end(), [&](const auto& group) {
-      return !boardsMove && picture.sightings[group.sightings.front()].view.sharesPath(view);
+      return !boardsMove && picture.observations[group.observations.front()].view.sharesPath(view);
     });
     PreparedImage::Group& group =
         known != prepared.groups.end()
             ? *known
             : prepared.groups.emplace_back(groupOf(view, measurements.quantities, unknowns, prepared));
-    group.sightings.push_back(i);
+    group.observations.push_back(i);
   }
   if (picture.otherSole) {
     links.add(picture.otherSole->links());

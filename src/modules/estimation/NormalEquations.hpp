@@ -16,7 +16,7 @@ struct ExtraRow {
   Double4 u, v;
 };
 
-/// Weight of a sighting's corners (`cornerShare`), given `repeats` pictures of one rest.
+/// Weight of a observation's corners (`cornerShare`), given `repeats` pictures of one rest.
 struct SightingWeight {
   double share = 1;
   std::size_t repeats = 1;
@@ -37,7 +37,7 @@ public:
   /// Resets the sums.
   void clear(std::size_t extras = 0);
 
-  /// Adds the corners of a sighting. `extraRows`: ordered by extra, then by block.
+  /// Adds the corners of a observation. `extraRows`: ordered by extra, then by block.
   void add(const CornerBlocks& corners, const ProjectedBlocks& projected, const std::vector<ExtraRow>& extraRows,
            double pixelNoise, const SightingWeight& weight, const Loss& loss);
 
@@ -58,9 +58,9 @@ private:
 /// Precomputed structure of a picture's residuals, valid for fixed slopes: links to evaluate, and which quantities
 /// affect what in the normal equations of its pose. Columns: the pose's unknowns, then its joint deflections.
 struct PreparedImage {
-  /// Sightings affected by the same quantities in the same way; their corners are summed together.
+  /// Observations affected by the same quantities in the same way; their corners are summed together.
   struct Group {
-    std::vector<std::size_t> sightings;
+    std::vector<std::size_t> observations;
     std::vector<std::size_t> quantities;
     std::vector<std::size_t> extras;   // indices among `quantities` (`ObservationChain::extraIndex`)
     std::vector<Eigen::Index> columns; // columns that affect the quantities

@@ -28,8 +28,8 @@ struct Residuals::Workspace {
 
   /// Cached, since most boards keep their placement from picture to picture.
   const RigidTransform& linkFromBoard(std::size_t board) {
-    if (boards[board].placement != belief.boardPlacement(board)) {
-      boards[board] = {belief.boardPlacement(board), transformFromPlacement(belief.boardPlacement(board))};
+    if (boards[board].placement != modelState.boardPlacement(board)) {
+      boards[board] = {modelState.boardPlacement(board), transformFromPlacement(modelState.boardPlacement(board))};
     }
     return boards[board].linkFromBoard;
   }
@@ -65,7 +65,7 @@ struct Residuals::Workspace {
     Eigen::Matrix<double, 6, 1> placement = Eigen::Matrix<double, 6, 1>::Zero();
     RigidTransform linkFromBoard;
   };
-  ModelState belief{StateLayout{0, 0, 0}};
+  ModelState modelState{StateLayout{0, 0, 0}};
   std::vector<PlacedBoard> boards;
   LinkPoses torsoFromLink;
   ProjectedBlocks projected;
@@ -88,7 +88,7 @@ struct Residuals::Workspace {
 void Residuals::addFloorContact(const ImageObservation& picture, const PreparedImage& prepared, Workspace& work,
                                 PosePart& part) const {
   const ObservationChain& sole = *picture.otherSole;
-  const CameraFrames attitude = sole.pathFrames(measurements_.robot, work.belief, work.torsoFromLink);
+  const CameraFrames attitude = sole.pathFrames(measurements_.robot, work.modelState, work.torsoFromLink);
   const Eigen::Vector3d normal = attitude.opticalFromWorld.rotation.col(2);
   const Eigen::Vector3d scale =
       noise_.pixel * Eigen::Vector3d{1 / FloorContact::height, 1 / FloorContact::tilt, 1 / FloorContact::tilt};
@@ -96,8 +96,8 @@ void Residuals::addFloorContact(const ImageObservation& picture, const PreparedI
   const Eigen::Vector3d residual =
       scale.cwiseProduct(Eigen::Vector3d{-normal.dot(attitude.opticalFromWorld.translation), normal.x(), normal.y()});
   work.motion.resize(6, eigenIndex(prepared.floor.quantities.size()));
-  sole.fillMotionColumns(measurements_.robot, attitude, work.belief, work.torsoFromLink, prepared.floor.quantities, {},
-                         work.motion);
+  sole.fillMotionColumns(measurements_.robot, attitude, work.modelState, work.torsoFromLink, prepared.floor.quantities,
+                         {}, work.motion);
   work.add(byMotion.transpose() * byMotion, byMotion.transpose() * residual, work.motion, prepared.floor);
   work.cost += residual.squaredNorm() / (noise_.pixel * noise_.pixel);
   part.squares += residual.squaredNorm();
@@ -112,9 +112,9 @@ void Residuals::addImuReading(const ImageObservation& picture, const PreparedIma
                               PosePart& part) const {
   const ObservationChain& torso = *prepared.torso;
   const StateLayout& quantities = measurements_.quantities;
-  const CameraFrames attitude = torso.pathFrames(measurements_.robot, work.belief, work.torsoFromLink);
+  const CameraFrames attitude = torso.pathFrames(measurements_.robot, work.modelState, work.torsoFromLink);
   const Eigen::Vector3d normal = attitude.opticalFromWorld.rotation.col(2);
-  const double roll = work.belief.imuTilt()[0], pitch = work.belief.imuTilt()[1];
+  const double roll = work.modelState.imuTilt()[0], pitch = work.modelState.imuTilt()[1];
   const Eigen::Vector2d reading = picture.instant.imu;
   const Eigen::Vector3d byUnit = (rotationY(reading.y()) * rotationX(reading.x())).row(2); // in the IMU frame
   const Eigen::Vector3d pitched = rotationY(-pitch) * byUnit, told = rotationX(-roll) * pitched;
@@ -127,8 +127,8 @@ void Residuals::addImuReading(const ImageObservation& picture, const PreparedIma
   byMotion *= scale;
   const Eigen::Vector2d residual = scale * (normal - told).head<2>();
   work.motion.resize(8, eigenIndex(prepared.imu.quantities.size()));
-  torso.fillMotionColumns(measurements_.robot, attitude, work.belief, work.torsoFromLink, prepared.imu.quantities, {},
-                          work.motion);
+  torso.fillMotionColumns(measurements_.robot, attitude, work.modelState, work.torsoFromLink, prepared.imu.quantities,
+                          {}, work.motion);
   for (std::size_t i = 0; i < prepared.imu.quantities.size(); ++i) {
     for (std::size_t k = 0; k < 2; ++k) {
       work.motion(eigenIndex(6 + k), eigenIndex(i)) = prepared.imu.quantities[i] == quantities.imuTilt() + k ? 1 : 0;
@@ -149,8 +149,8 @@ std::optional<ObservationChain> torsoOverFloor(const Measurements& measurements,
   const bool wanted = std::any_of(model.terms().begin(), model.terms().end(),
                                   [](const Term& term) { return term.effect.name == "imuTilt"; });
   const bool onFloor =
-      std::any_of(picture.sightings.begin(), picture.sightings.end(), [&](const BoardObservation& sighting) {
-        return measurements.targets[sighting.view.board()].onFloor;
+      std::any_of(picture.observations.begin(), picture.observations.end(), [&](const BoardObservation& observation) {
+        return measurements.targets[observation.view.board()].onFloor;
       });
   if (!wanted || !onFloor || picture.instant.imu.hasNaN()) {
     return std::nullopt;
@@ -258,25 +258,25 @@ Eigen::VectorXd restingDeflections(const MarginalSystem& part, const Eigen::Vect
 void Residuals::predictImageState(const ImageObservation& picture, const PreparedImage& prepared,
                                   const Eigen::VectorXd& unknowns, const Eigen::VectorXd& deflections,
                                   Workspace& work) const {
-  work.belief = picture.nominal;
-  prepared.slopes.applyFixed(unknowns, work.belief);
+  work.modelState = picture.nominal;
+  prepared.slopes.applyFixed(unknowns, work.modelState);
   work.slopes = prepared.slopeValues.data();
   if (prepared.slopes.hasVarying()) {
     work.varyingSlopes = prepared.slopeValues;
     work.slopes = work.varyingSlopes.data();
     work.drive(measurements_, model_, picture, unknowns);
-    prepared.slopes.applyVarying(model_, picture, unknowns, work.driven, work.scratch, work.belief,
+    prepared.slopes.applyVarying(model_, picture, unknowns, work.driven, work.scratch, work.modelState,
                                  work.varyingSlopes.data() + 1 + prepared.slopes.fixedCount());
   }
   for (std::size_t i = 0; i < prepared.joints.size(); ++i) {
-    work.belief.angle(prepared.joints[i]) += deflections[eigenIndex(prepared.deflections[i])];
+    work.modelState.angle(prepared.joints[i]) += deflections[eigenIndex(prepared.deflections[i])];
   }
 }
 
 /// Adds the sums over a picture's corners to those of its pose. False if a corner has no projection.
 bool Residuals::addPicture(const ImageObservation& picture, const PreparedImage& prepared, Workspace& work,
                            PosePart& part) const {
-  forwardKinematics(measurements_.robot, work.belief, prepared.links, work.torsoFromLink);
+  forwardKinematics(measurements_.robot, work.modelState, prepared.links, work.torsoFromLink);
   if (picture.otherSole) {
     addFloorContact(picture, prepared, work, part);
   }
@@ -287,42 +287,42 @@ bool Residuals::addPicture(const ImageObservation& picture, const PreparedImage&
                      [&](const PreparedImage::Group& group) { return addGroup(picture, group, work, part); });
 }
 
-/// Adds the corners of a sighting to the workspace's sums over corners. False if one has no projection.
-bool Residuals::addCorners(const BoardObservation& sighting, const std::vector<std::size_t>& extras,
+/// Adds the corners of a observation to the workspace's sums over corners. False if one has no projection.
+bool Residuals::addCorners(const BoardObservation& observation, const std::vector<std::size_t>& extras,
                            CameraFrames& attitude, Workspace& work) const {
-  sighting.view.placeBoard(work.linkFromBoard(sighting.view.board()), attitude);
-  if (!sighting.view.project(attitude, work.belief, sighting.corners, work.projected)) {
+  observation.view.placeBoard(work.linkFromBoard(observation.view.board()), attitude);
+  if (!observation.view.project(attitude, work.modelState, observation.corners, work.projected)) {
     return false;
   }
   work.extraRows.clear();
   for (std::size_t extra : extras) {
-    for (std::size_t block = 0; block < sighting.corners.size(); ++block) {
+    for (std::size_t block = 0; block < observation.corners.size(); ++block) {
       ExtraRow& row = work.extraRows.emplace_back();
-      ObservationChain::fillExtraRows(extra, attitude, work.belief, sighting.corners[block], work.projected[block],
-                                      row.u, row.v);
+      ObservationChain::fillExtraRows(extra, attitude, work.modelState, observation.corners[block],
+                                      work.projected[block], row.u, row.v);
     }
   }
-  work.corners.add(sighting.corners, work.projected, work.extraRows, noise_.pixel,
-                   {cornerShare(noise_, sighting.repeats), sighting.repeats}, loss_);
+  work.corners.add(observation.corners, work.projected, work.extraRows, noise_.pixel,
+                   {cornerShare(noise_, observation.repeats), observation.repeats}, loss_);
   return true;
 }
 
 bool Residuals::addGroup(const ImageObservation& picture, const PreparedImage::Group& group, Workspace& work,
                          PosePart& part) const {
-  const ObservationChain& path = picture.sightings[group.sightings.front()].view;
-  CameraFrames attitude = path.pathFrames(measurements_.robot, work.belief, work.torsoFromLink);
+  const ObservationChain& path = picture.observations[group.observations.front()].view;
+  CameraFrames attitude = path.pathFrames(measurements_.robot, work.modelState, work.torsoFromLink);
   if (std::find(group.extras.begin(), group.extras.end(), rowTimeExtra) != group.extras.end()) {
-    path.setDrift(measurements_.robot, work.belief, work.torsoFromLink, picture.instant.velocity, attitude);
+    path.setDrift(measurements_.robot, work.modelState, work.torsoFromLink, picture.instant.velocity, attitude);
   }
   work.corners.clear(group.extras.size());
-  for (std::size_t index : group.sightings) {
-    if (!addCorners(picture.sightings[index], group.extras, attitude, work)) {
+  for (std::size_t index : group.observations) {
+    if (!addCorners(picture.observations[index], group.extras, attitude, work)) {
       return false;
     }
   }
   work.motion.resize(eigenIndex(6 + group.extras.size()), eigenIndex(group.quantities.size()));
-  path.fillMotionColumns(measurements_.robot, attitude, work.belief, work.torsoFromLink, group.quantities, group.extras,
-                         work.motion);
+  path.fillMotionColumns(measurements_.robot, attitude, work.modelState, work.torsoFromLink, group.quantities,
+                         group.extras, work.motion);
   work.add(work.corners.gram(), work.corners.gradient(), work.motion, group);
   work.cost += work.corners.cost();
   part.squares += work.corners.squares();
@@ -509,12 +509,12 @@ std::optional<std::vector<BoardMotionSums>> Residuals::boardMotions(const State&
       for (std::size_t index : reading.pictures) {
         const ImageObservation& picture = measurements_.pictures[index];
         predictImageState(picture, prepared_[index], state.unknowns, deflections, work);
-        forwardKinematics(measurements_.robot, work.belief, prepared_[index].links, work.torsoFromLink);
+        forwardKinematics(measurements_.robot, work.modelState, prepared_[index].links, work.torsoFromLink);
         for (const PreparedImage::Group& group : prepared_[index].groups) {
-          for (std::size_t sighting : group.sightings) {
-            BoardMotionSums motion{.picture = index, .sighting = sighting, .pose = pose};
+          for (std::size_t observation : group.observations) {
+            BoardMotionSums motion{.picture = index, .observation = observation, .pose = pose};
             motion.cross.setZero(6, columns);
-            if (!addMotion(picture.sightings[sighting], group, work, motion)) {
+            if (!addMotion(picture.observations[observation], group, work, motion)) {
               return std::nullopt;
             }
             result.push_back(std::move(motion));
@@ -526,21 +526,21 @@ std::optional<std::vector<BoardMotionSums>> Residuals::boardMotions(const State&
   return result;
 }
 
-/// Computes a sighting's motion sums. False if a corner has no projection.
-bool Residuals::addMotion(const BoardObservation& sighting, const PreparedImage::Group& group, Workspace& work,
+/// Computes a observation's motion sums. False if a corner has no projection.
+bool Residuals::addMotion(const BoardObservation& observation, const PreparedImage::Group& group, Workspace& work,
                           BoardMotionSums& motion) const {
-  CameraFrames attitude = sighting.view.pathFrames(measurements_.robot, work.belief, work.torsoFromLink);
+  CameraFrames attitude = observation.view.pathFrames(measurements_.robot, work.modelState, work.torsoFromLink);
   if (std::find(group.extras.begin(), group.extras.end(), rowTimeExtra) != group.extras.end()) {
-    sighting.view.setDrift(measurements_.robot, work.belief, work.torsoFromLink,
-                           measurements_.pictures[motion.picture].instant.velocity, attitude);
+    observation.view.setDrift(measurements_.robot, work.modelState, work.torsoFromLink,
+                              measurements_.pictures[motion.picture].instant.velocity, attitude);
   }
   work.corners.clear(group.extras.size());
-  if (!addCorners(sighting, group.extras, attitude, work)) {
+  if (!addCorners(observation, group.extras, attitude, work)) {
     return false;
   }
   work.motion.resize(eigenIndex(6 + group.extras.size()), eigenIndex(group.quantities.size()));
-  sighting.view.fillMotionColumns(measurements_.robot, attitude, work.belief, work.torsoFromLink, group.quantities,
-                                  group.extras, work.motion);
+  observation.view.fillMotionColumns(measurements_.robot, attitude, work.modelState, work.torsoFromLink,
+                                     group.quantities, group.extras, work.motion);
   const ImageNormalEquations::Square gram = work.corners.gram();
   motion.gram = gram.topLeftCorner<6, 6>();
   motion.gradient = work.corners.gradient().head<6>();
@@ -560,8 +560,8 @@ std::vector<BoardResidual> Residuals::boardResiduals(const State& state) const {
       for (std::size_t index : reading.pictures) {
         const ImageObservation& picture = measurements_.pictures[index];
         predictImageState(picture, prepared_[index], state.unknowns, deflections, work);
-        forwardKinematics(measurements_.robot, work.belief, prepared_[index].links, work.torsoFromLink);
-        for (std::size_t i = 0; i < picture.sightings.size(); ++i) {
+        forwardKinematics(measurements_.robot, work.modelState, prepared_[index].links, work.torsoFromLink);
+        for (std::size_t i = 0; i < picture.observations.size(); ++i) {
           result.push_back(sightingResidual(index, i, work));
         }
       }
@@ -571,27 +571,27 @@ std::vector<BoardResidual> Residuals::boardResiduals(const State& state) const {
 }
 
 BoardResidual Residuals::sightingResidual(std::size_t picture, std::size_t index, Workspace& work) const {
-  const BoardObservation& sighting = measurements_.pictures[picture].sightings[index];
-  CameraFrames attitude = sighting.view.cameraFrames(measurements_.robot, work.belief, work.torsoFromLink);
-  if (work.belief.rowTime() != 0) {
-    sighting.view.setDrift(measurements_.robot, work.belief, work.torsoFromLink,
-                           measurements_.pictures[picture].instant.velocity, attitude);
+  const BoardObservation& observation = measurements_.pictures[picture].observations[index];
+  CameraFrames attitude = observation.view.cameraFrames(measurements_.robot, work.modelState, work.torsoFromLink);
+  if (work.modelState.rowTime() != 0) {
+    observation.view.setDrift(measurements_.robot, work.modelState, work.torsoFromLink,
+                              measurements_.pictures[picture].instant.velocity, attitude);
   }
-  const Eigen::Index count = eigenIndex(sighting.ids.size());
+  const Eigen::Index count = eigenIndex(observation.ids.size());
   BoardResidual result{picture,
                        index,
                        Eigen::Matrix2Xd(2, count),
                        Eigen::Matrix2Xd(2, count),
                        Eigen::VectorXd::Zero(count),
                        Eigen::MatrixXd::Zero(2 * count, 6)};
-  if (!sighting.view.project(attitude, work.belief, sighting.corners, work.projected)) {
+  if (!observation.view.project(attitude, work.modelState, observation.corners, work.projected)) {
     result.predicted.setConstant(std::numeric_limits<double>::quiet_NaN());
     result.residual = result.predicted;
     return result;
   }
-  const double information = cornerShare(noise_, sighting.repeats) / (noise_.pixel * noise_.pixel);
+  const double information = cornerShare(noise_, observation.repeats) / (noise_.pixel * noise_.pixel);
   for (Eigen::Index i = 0; i < count; ++i) {
-    const CornerBlock& corner = sighting.corners[static_cast<std::size_t>(i / 4)];
+    const CornerBlock& corner = observation.corners[static_cast<std::size_t>(i / 4)];
     const ProjectedBlock& seen = work.projected[static_cast<std::size_t>(i / 4)];
     result.predicted.col(i) << seen.u[i % 4], seen.v[i % 4];
     result.residual.col(i) << corner.u[i % 4] - seen.u[i % 4], corner.v[i % 4] - seen.v[i % 4];
@@ -601,6 +601,35 @@ BoardResidual Residuals::sightingResidual(std::size_t picture, std::size_t index
     }
     result.weight[i] = corner.present[i % 4] * loss_(information * result.residual.col(i).squaredNorm()).weight;
   }
+  return result;
+}
+
+std::vector<double> collectDistances(const std::vector<BoardResidual>& residuals) {
+  std::vector<double> distances;
+  for (const BoardResidual& board : residuals) {
+    for (Eigen::Index i = 0; i < board.residual.cols(); ++i) {
+      distances.push_back(board.residual.col(i).norm());
+    }
+  }
+  return distances;
+}
+
+ResidualSummary summarizeDistances(std::vector<double> distances) {
+  ResidualSummary result{0, 0, distances.size()};
+  if (distances.empty()) {
+    return result;
+  }
+  double squares = 0;
+  for (const double distance : distances) {
+    squares += distance * distance;
+  }
+  result.rmsPx = result.medianPx = std::sqrt(squares / static_cast<double>(distances.size()));
+  if (!std::isfinite(result.rmsPx)) { // NaN has no order
+    return result;
+  }
+  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+  std::nth_element(distances.begin(), middle, distances.end());
+  result.medianPx = *middle;
   return result;
 }
 

@@ -13,9 +13,9 @@
 
 namespace naocal {
 
-/// Residuals of one sighting's corners, with their weights.
+/// Residuals of one observation's corners, with their weights.
 struct BoardResidual {
-  std::size_t picture = 0, sighting = 0;
+  std::size_t picture = 0, observation = 0;
   Eigen::Matrix2Xd predicted; // [px]
   Eigen::Matrix2Xd residual;  // measured - predicted [px]
   Eigen::VectorXd weight;     // loss weight, 0..1
@@ -23,10 +23,10 @@ struct BoardResidual {
       motionRows; // d(predicted) by (omega, v) of the board in the optical frame; rows u0, v0, ..., 6 columns
 };
 
-/// Sums of a single sighting by a rigid motion of its board in the optical frame (omega, v), with cross terms to the
+/// Sums of a single observation by a rigid motion of its board in the optical frame (omega, v), with cross terms to the
 /// unknowns and deflections of its pose. L: `motionRows`, W: the corners' weights; before any noise level is applied.
 struct BoardMotionSums {
-  std::size_t picture = 0, sighting = 0, pose = 0;
+  std::size_t picture = 0, observation = 0, pose = 0;
   Eigen::Matrix<double, 6, 6> gram;               // L^T W L   [px^2 / (rad or m)^2]
   Eigen::Matrix<double, 6, 1> gradient;           // L^T W r, r = predicted - measured
   Eigen::Matrix<double, 6, Eigen::Dynamic> cross; // L^T W [J_x J_t]: the pose's unknowns, then its deflections
@@ -67,9 +67,9 @@ public:
   State applyStep(const State& state, const Linear& linear, const Eigen::VectorXd& step) const;
   const Eigen::VectorXd& scales() const { return sigmas_; }
 
-  /// Measured and predicted corners per sighting at a state.
+  /// Measured and predicted corners per observation at a state.
   std::vector<BoardResidual> boardResiduals(const State& state) const;
-  /// Motion sums of the same sightings, in pose order. Absent if the state is infeasible.
+  /// Motion sums of the same observations, in pose order. Absent if the state is infeasible.
   std::optional<std::vector<BoardMotionSums>> boardMotions(const State& state) const;
 
   /// Selects the free unknowns; others stay fixed. All are free by default.
@@ -95,14 +95,14 @@ private:
                   PosePart& part) const;
   void addFloorContact(const ImageObservation& picture, const PreparedImage& prepared, Workspace& work,
                        PosePart& part) const;
-  bool addCorners(const BoardObservation& sighting, const std::vector<std::size_t>& extras, CameraFrames& attitude,
+  bool addCorners(const BoardObservation& observation, const std::vector<std::size_t>& extras, CameraFrames& attitude,
                   Workspace& work) const;
   void addImuReading(const ImageObservation& picture, const PreparedImage& prepared, Workspace& work,
                      PosePart& part) const;
   bool addGroup(const ImageObservation& picture, const PreparedImage::Group& group, Workspace& work,
                 PosePart& part) const;
   BoardResidual sightingResidual(std::size_t picture, std::size_t index, Workspace& work) const;
-  bool addMotion(const BoardObservation& sighting, const PreparedImage::Group& group, Workspace& work,
+  bool addMotion(const BoardObservation& observation, const PreparedImage::Group& group, Workspace& work,
                  BoardMotionSums& motion) const;
 
   const Measurements& measurements_;
@@ -115,5 +115,15 @@ private:
   std::vector<PosePart> columns_;       // structure per pose, without sums
   std::vector<JointErrorRoot> roots_;   // per pose
 };
+
+/// Distances of corners from their predictions: rms = sqrt(mean(du^2 + dv^2)).
+struct ResidualSummary {
+  double rmsPx = 0, medianPx = 0; // [px]; 0 without corners, not finite where one is behind the camera
+  std::size_t corners = 0;
+};
+ResidualSummary summarizeDistances(std::vector<double> distances);
+
+/// Distance of every corner [px].
+std::vector<double> collectDistances(const std::vector<BoardResidual>& residuals);
 
 } // namespace naocal

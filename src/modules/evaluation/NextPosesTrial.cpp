@@ -81,11 +81,11 @@ Weighed weighHypotheses(const Measurements& measurements, ModelAmbiguity questio
   CandidateTestOptions options;
   options.draws = 0;
   options.map = false;
-  const CandidateTests inquiry{{measurements, model, fit}, terms, options};
+  const CandidateTests candidateTests{{measurements, model, fit}, terms, options};
   std::vector<double> evidence;
   for (std::size_t i = 0; i < terms.size(); ++i) {
-    evidence.push_back(inquiry.candidateEvidence(i).bayes);
-    question.suspects[i].size = inquiry.candidateEvidence(i).estimate;
+    evidence.push_back(candidateTests.candidateEvidence(i).bayes);
+    question.suspects[i].size = candidateTests.candidateEvidence(i).estimate;
   }
   const std::vector<double> odds = posteriorProbabilities(evidence);
   for (std::size_t i = 0; i < odds.size(); ++i) {

@@ -65,8 +65,8 @@ std::vector<Eigen::VectorXd> candidatePoses(const Robot& robot, const ThesisScen
   options.sight = scenery.limits;
   const PlanningScene scene{robot, options.supportFoot, scenery.targets, scenery.cameras, options.sight};
   std::vector<Eigen::VectorXd> poses;
-  for (const ModelState& belief : sampleStableStates(robot, scene, options, count)) {
-    poses.emplace_back(belief.values.head(eigenIndex(robot.joints.size())));
+  for (const ModelState& modelState : sampleStableStates(robot, scene, options, count)) {
+    poses.emplace_back(modelState.values.head(eigenIndex(robot.joints.size())));
   }
   return poses;
 }
@@ -75,8 +75,8 @@ std::size_t cornersSeen(const PoseGroup& pose, const Measurements& taken) {
   std::size_t corners = 0;
   for (const EncoderSample& reading : pose.readings) {
     for (const std::size_t picture : reading.pictures) {
-      for (const BoardObservation& sighting : taken.pictures[picture].sightings) {
-        corners += sighting.ids.size();
+      for (const BoardObservation& observation : taken.pictures[picture].observations) {
+        corners += observation.ids.size();
       }
     }
   }
@@ -124,7 +124,7 @@ std::vector<std::size_t> chainOf(const Robot& robot, const ThesisExperiment& sta
   std::vector<ValidPose> candidates;
   for (const std::size_t pose : usable) {
     candidates.push_back({nominalState(robot, StateLayout{robot.joints.size(), robot.lengths.size(), 0}), {}});
-    candidates.back().belief.values.head(poses[pose].size()) = poses[pose];
+    candidates.back().modelState.values.head(poses[pose].size()) = poses[pose];
   }
   return thesis.selectChain(candidates, count);
 }
@@ -322,19 +322,19 @@ void ThesisExperiment::look(const ImageObservation& all, const Eigen::VectorXd& 
       other.effect.correct(real, all.instant, place, other.values(truth));
     }
   }
-  forwardKinematics(robot, real, all.sightings.front().view.links(), torsoFromLink);
-  CameraFrames attitude = all.sightings.front().view.pathFrames(robot, real, torsoFromLink);
+  forwardKinematics(robot, real, all.observations.front().view.links(), torsoFromLink);
+  CameraFrames attitude = all.observations.front().view.pathFrames(robot, real, torsoFromLink);
   const CameraIntrinsics& lens = scenery_.cameras.at(robot.cameras[all.camera].name);
-  seen.sightings.clear();
-  for (const BoardObservation& sighting : all.sightings) {
-    sighting.view.placeBoard(transformFromPlacement(real.boardPlacement(sighting.view.board())), attitude);
-    if (!sighting.view.project(attitude, real, sighting.corners, projected)) {
+  seen.observations.clear();
+  for (const BoardObservation& observation : all.observations) {
+    observation.view.placeBoard(transformFromPlacement(real.boardPlacement(observation.view.board())), attitude);
+    if (!observation.view.project(attitude, real, observation.corners, projected)) {
       continue;
     }
-    const Board& target = everything_.targets[sighting.view.board()].board;
+    const Board& target = everything_.targets[observation.view.board()].board;
     findSeen(target, attitude, projected, lens, scenery_.limits, corners);
     if (!corners.ids.empty()) {
-      seen.sightings.push_back({sighting.view, packCorners(target, corners), corners.ids});
+      seen.observations.push_back({observation.view, packCorners(target, corners), corners.ids});
     }
   }
 }
@@ -360,8 +360,8 @@ void ThesisExperiment::simulate(const Eigen::VectorXd& truth, const std::functio
     }
   }
   for (ImageObservation& picture : taken.pictures) {
-    for (BoardObservation& sighting : picture.sightings) {
-      for (CornerBlock& block : sighting.corners) {
+    for (BoardObservation& observation : picture.observations) {
+      for (CornerBlock& block : observation.corners) {
         for (int i = 0; pixel > 0 && i < 4; ++i) {
           block.u[i] += chance.normal(pixel);
           block.v[i] += chance.normal(pixel);

@@ -78,15 +78,15 @@ private:
 
 /// Predicted minus measured, for all corners; absent if a corner cannot be projected.
 std::optional<Eigen::VectorXd> NumericPixelProblem::pixels(const Eigen::VectorXd& unknowns) const {
-  const std::vector<BoardResidual> sightings = residuals_.boardResiduals(residuals_.startState(unknowns));
+  const std::vector<BoardResidual> observations = residuals_.boardResiduals(residuals_.startState(unknowns));
   Eigen::Index count = 0;
-  for (const BoardResidual& sighting : sightings) {
-    count += sighting.residual.size();
+  for (const BoardResidual& observation : observations) {
+    count += observation.residual.size();
   }
   Eigen::VectorXd result(count);
   Eigen::Index row = 0;
-  for (const BoardResidual& sighting : sightings) {
-    for (const double difference : sighting.residual.reshaped()) {
+  for (const BoardResidual& observation : observations) {
+    for (const double difference : observation.residual.reshaped()) {
       result[row++] = -difference;
     }
   }

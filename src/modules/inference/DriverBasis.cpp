@@ -334,12 +334,12 @@ Effect makeTurnEffect(const DriverSeries& driver, const DriverBasis& cell) {
                 .formula = {},
                 .place = EffectSite::camera,
                 .unknowns = {},
-                .correct = [kind = driver.kind, joint = driver.joint, cell](ModelState& belief,
+                .correct = [kind = driver.kind, joint = driver.joint, cell](ModelState& modelState,
                                                                             const RobotSample& instant, std::size_t,
                                                                             std::span<const double> values) {
                   const Eigen::RowVectorXd basis = cell.basisAt(valueAt(instant, kind, joint));
                   const Eigen::Map<const Eigen::Matrix3Xd> coefficients{values.data(), 3, cell.count};
-                  belief.mountRotation() += coefficients * basis.transpose();
+                  modelState.mountRotation() += coefficients * basis.transpose();
                 }};
   for (Eigen::Index n = 1; n <= cell.count; ++n) {
     for (const char* axis : {"x", "y", "z"}) {
@@ -360,7 +360,7 @@ std::vector<MountCurve> buildMountCurves(const Measurements& measurements, const
       }
       std::vector<double> values;
       for (std::size_t picture = 0; picture < measurements.pictures.size(); ++picture) {
-        if (measurements.pictures[picture].camera == camera && !measurements.pictures[picture].sightings.empty()) {
+        if (measurements.pictures[picture].camera == camera && !measurements.pictures[picture].observations.empty()) {
           values.push_back(drivers[i].atPicture[picture]);
         }
       }

@@ -152,6 +152,14 @@ std::vector<double> JsonCursor::numbers(std::size_t count, const Range& range, s
   return numbers;
 }
 
+std::vector<std::string> JsonCursor::texts() const {
+  std::vector<std::string> result;
+  for (const JsonCursor& element : elements()) {
+    result.push_back(element.text());
+  }
+  return result;
+}
+
 std::size_t JsonCursor::wordIndex(const std::vector<std::string_view>& words) const {
   const auto word = std::find_if(words.begin(), words.end(), [&](std::string_view candidate) {
     return value_->is_string() && value_->get_ref<const std::string&>() == candidate;

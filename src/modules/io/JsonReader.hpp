@@ -47,6 +47,9 @@ public:
   /// A list of `count` numbers; `why` explains the count in error messages. With `nullable`, null becomes NaN.
   std::vector<double> numbers(std::size_t count, const Range& range, std::string_view why, bool nullable = false) const;
 
+  /// A list of texts.
+  std::vector<std::string> texts() const;
+
   /// Index of this text among `words`.
   std::size_t wordIndex(const std::vector<std::string_view>& words) const;
 

@@ -19,6 +19,11 @@ inline double roundToDigits(double value, int digits = 5) {
   return std::round(value * scale) / scale;
 }
 
+/// The value of an optional or a pointer; null if it has none.
+nlohmann::json orNull(const auto& value) {
+  return value ? nlohmann::json(*value) : nlohmann::json(nullptr);
+}
+
 /// The value read under a key, or null.
 const nlohmann::json& childOrNull(const nlohmann::json& read, const std::string& key);
 

@@ -174,14 +174,14 @@ void countRepeats(const std::vector<Rest>& rests, const PoseGroup& pose, std::ve
     std::map<std::pair<std::size_t, std::size_t>, std::vector<BoardObservation*>> seen; // keyed by (camera, board)
     for (const std::size_t reading : rest.readings) {
       for (const std::size_t index : pose.readings[reading].pictures) {
-        for (BoardObservation& sighting : pictures[index].sightings) {
-          seen[{pictures[index].camera, sighting.view.board()}].push_back(&sighting);
+        for (BoardObservation& observation : pictures[index].observations) {
+          seen[{pictures[index].camera, observation.view.board()}].push_back(&observation);
         }
       }
     }
-    for (const auto& [where, sightings] : seen) {
-      for (BoardObservation* sighting : sightings) {
-        sighting->repeats = sightings.size();
+    for (const auto& [where, observations] : seen) {
+      for (BoardObservation* observation : observations) {
+        observation->repeats = observations.size();
       }
     }
   }
@@ -209,7 +209,7 @@ void groupByPose(Measurements& measurements) {
                    [&](const ImageObservation& a, const ImageObservation& b) { return key(a) < key(b); });
   std::map<std::pair<std::size_t, std::string>, std::vector<std::size_t>> poses;
   for (std::size_t i = 0; i < pictures.size(); ++i) {
-    if (!pictures[i].sightings.empty()) {
+    if (!pictures[i].observations.empty()) {
       poses[{pictures[i].set, measurements.captureOf(pictures[i]).pose}].push_back(i);
     }
   }
@@ -240,8 +240,8 @@ void groupByPose(Measurements& measurements) {
     }
   };
   for (const ImageObservation& picture : pictures) {
-    for (const BoardObservation& sighting : picture.sightings) {
-      use(sighting.view);
+    for (const BoardObservation& observation : picture.observations) {
+      use(observation.view);
     }
     if (picture.otherSole) {
       use(*picture.otherSole);
@@ -332,8 +332,8 @@ Measurements buildMeasurements(std::vector<CaptureSet> given, const Robot& robot
       result.pictures.push_back(makeImageObservation(set, capture, result, places));
       result.pictures.back().instant.time -= first;
       result.pictures.back().instant.set = set;
-      for (const BoardObservation& sighting : result.pictures.back().sightings) {
-        result.cornerCount += sighting.ids.size();
+      for (const BoardObservation& observation : result.pictures.back().observations) {
+        result.cornerCount += observation.ids.size();
       }
     }
   }
@@ -397,7 +397,7 @@ void addSighting(const CaptureSet& set, const Capture& capture, const BoardCorne
                                    set.name, capture.id, robot.joints[joint].name, corners.board)};
     }
   }
-  result.sightings.push_back({std::move(view), packCorners(target.board, corners), corners.ids});
+  result.observations.push_back({std::move(view), packCorners(target.board, corners), corners.ids});
 }
 
 /// Measured angles, or rest angles where not recorded.
@@ -457,7 +457,7 @@ ImageObservation makeImageObservation(std::size_t setIndex, std::size_t index, c
                                       .imu = capture.imu.value_or(Eigen::Vector2d::Constant(RobotSample::nothing)),
                                       .leftLoad = leftLoad(capture)},
                           .nominal = nominalState(robot, measurements.quantities),
-                          .sightings = {}};
+                          .observations = {}};
   for (const BoardCorners& corners : *capture.corners) {
     addSighting(set, capture, corners, places.targetIndex(set, corners.board), measurements, result);
   }
@@ -473,8 +473,8 @@ std::vector<std::size_t> observedJoints(const Robot& robot, const ImageObservati
       between[joint] = 1;
     }
   };
-  for (const BoardObservation& sighting : picture.sightings) {
-    add(sighting.view);
+  for (const BoardObservation& observation : picture.observations) {
+    add(observation.view);
   }
   if (picture.otherSole) {
     add(*picture.otherSole);

@@ -41,7 +41,7 @@ struct ImageObservation {
   std::size_t camera = 0, stance = 0;
   RobotSample instant; // q = measured angles [rad], rest angles where not recorded
   ModelState nominal;  // nominal geometry, the file's lens, measured angles, known or guessed placements
-  std::vector<BoardObservation> sightings;
+  std::vector<BoardObservation> observations;
   std::optional<ObservationChain>
       otherSole; // both feet on the floor, once per pose: chain from the right sole to the left sole's floor
 };

@@ -27,8 +27,8 @@ std::vector<ProposedPose> candidates(const Robot& robot, const CaptureSet& set, 
     wanted.maxAttempts = 400 * options.candidates;
     wanted.stability.jointError = options.jointError;
     const PlanningScene scene{robot, here.supportFoot, here.boards, set.cameras, wanted.sight};
-    for (const ModelState& belief : sampleStableStates(robot, scene, wanted, options.candidates / around.size())) {
-      ProposedPose pose{{here.supportFoot, belief.values.head(static_cast<Eigen::Index>(robot.joints.size())), {}},
+    for (const ModelState& modelState : sampleStableStates(robot, scene, wanted, options.candidates / around.size())) {
+      ProposedPose pose{{here.supportFoot, modelState.values.head(static_cast<Eigen::Index>(robot.joints.size())), {}},
                         drawApproach(robot, random)};
       result.push_back(pose);
       if (bothWays) {

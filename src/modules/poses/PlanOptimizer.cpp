@@ -101,7 +101,7 @@ PlanEvaluator::PlanEvaluator(const Robot& robot, const std::vector<Board>& board
       known_{judge_.prior().replicate(1, static_cast<Eigen::Index>(worn_.size() + 1))} {
   for (const Eigen::VectorXd& angles : options.kept) {
     kept_.push_back({scene_.nominalState(), {}, 0});
-    kept_.back().belief.values.head(angles.size()) = angles;
+    kept_.back().modelState.values.head(angles.size()) = angles;
   }
   for (const Eigen::MatrixXd& part : informationParts(kept_)) {
     known_ += part;

@@ -136,14 +136,14 @@ void addMirroredPoses(PosePlan& plan, const Robot& robot, const std::map<std::st
   const std::size_t count = plan.poses.size();
   for (std::size_t i = 0; i < count; ++i) {
     ValidPose image{score.scene().nominalState(), {}, plan.standing[i]};
-    image.belief.values.head(eigenIndex(robot.joints.size())) = mirrorAngles(robot, plan.poses[i].pose.angles);
-    const LinkPoses torsoFromLink = forwardKinematics(robot, image.belief);
+    image.modelState.values.head(eigenIndex(robot.joints.size())) = mirrorAngles(robot, plan.poses[i].pose.angles);
+    const LinkPoses torsoFromLink = forwardKinematics(robot, image.modelState);
     if (checks.selfCollides(torsoFromLink) ||
         !isBalanced(robot, torsoFromLink, options.poses.supportFoot, {0.01, 0.01})) {
       throw InputError{fmt::format("pose {}: its mirror image is not valid; plan the other foot by itself", i)};
     }
-    plan.poses.push_back({{options.poses.supportFoot, image.belief.values.head(eigenIndex(robot.joints.size())),
-                           score.scene().visibleBoards(image.belief, torsoFromLink)},
+    plan.poses.push_back({{options.poses.supportFoot, image.modelState.values.head(eigenIndex(robot.joints.size())),
+                           score.scene().visibleBoards(image.modelState, torsoFromLink)},
                           Eigen::VectorXd::Zero(eigenIndex(robot.joints.size()))});
     plan.standing.push_back(plan.standing[i]);
     plan.ways.push_back(plan.ways[i]);
@@ -228,10 +228,10 @@ private:
     result.ways.insert(result.ways.begin(), result.kept, std::nullopt);
     const auto joints = static_cast<Eigen::Index>(robot_.joints.size());
     for (const ValidPose& attitude : all) {
-      ModelState belief = here.scene().nominalState();
-      belief.values.head(joints) = attitude.belief.values.head(joints);
-      result.poses.push_back({{options_.poses.supportFoot, belief.values.head(joints),
-                               here.scene().visibleBoards(belief, forwardKinematics(robot_, belief))},
+      ModelState modelState = here.scene().nominalState();
+      modelState.values.head(joints) = attitude.modelState.values.head(joints);
+      result.poses.push_back({{options_.poses.supportFoot, modelState.values.head(joints),
+                               here.scene().visibleBoards(modelState, forwardKinematics(robot_, modelState))},
                               attitude.approach.size() > 0 ? attitude.approach : Eigen::VectorXd::Zero(joints)});
       result.standing.push_back(attitude.standing);
     }

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <array>
+#include <cctype>
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace naocal {
@@ -26,6 +28,13 @@ constexpr std::optional<std::size_t> jointIndex(std::string_view name) {
     }
   }
   return std::nullopt;
+}
+
+/// Key of a joint's offset in HULKs' configuration: its name with a lower-case first letter.
+inline std::string offsetKey(std::string_view joint) {
+  std::string key{joint};
+  key[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(key[0])));
+  return key;
 }
 
 } // namespace naocal

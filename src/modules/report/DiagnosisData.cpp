@@ -232,14 +232,6 @@ json numberOrNull(const JsonCursor& place, double scale = 1) {
   return place.value().is_null() ? json(nullptr) : json(scale * place.number(anyNumber));
 }
 
-json texts(const JsonCursor& list) {
-  json result = json::array();
-  for (const JsonCursor& text : list.elements()) {
-    result.push_back(text.text());
-  }
-  return result;
-}
-
 json sizesJson(const JsonCursor& unknowns) {
   json sizes = json::array();
   for (const auto& [name, unknown] : unknowns.members()) {
@@ -273,7 +265,7 @@ json candidateJson(const JsonCursor& entry, const json& figures) {
               {"after", numberOrNull(entry.at("heldOutPxAfter"))},
               {"step", entry.at("step").integer(0, maxInteger)},
               {"plausible", entry.at("plausible").boolean()},
-              {"equivalent", texts(entry.at("equivalent"))}};
+              {"equivalent", entry.at("equivalent").texts()}};
   addFiguresData(entry, figures, result);
   return result;
 }
@@ -282,7 +274,7 @@ json stepJson(const JsonCursor& step) {
   constexpr Range pixels{0, 1e9, "px"};
   const auto dropped = step.find("dropped");
   return {{"added", step.at("added").value().is_null() ? "" : step.at("added").text()},
-          {"dropped", dropped ? texts(*dropped) : json::array()},
+          {"dropped", dropped ? json(dropped->texts()) : json::array()},
           {"rms", step.at("rmsPx").number(pixels)},
           {"heldOut", numberOrNull(step.at("heldOutPx"))},
           {"floor", step.at("noiseFloorPx").number(pixels)},
@@ -302,7 +294,7 @@ json suspicionJson(const JsonCursor& entry) {
 json diagnosisData(const JsonCursor& diagnosis) {
   const auto defined = diagnosis.find("define");
   const bool own = defined && !defined->elements().empty(); // custom effect, last of the suggested ones
-  json named = texts(diagnosis.at("suggested"));
+  json named = diagnosis.at("suggested").texts();
   if (own && !named.empty()) {
     named.erase(named.size() - 1);
   }
@@ -310,7 +302,7 @@ json diagnosisData(const JsonCursor& diagnosis) {
             {"headline", verdictHeadline(diagnosis)},
             {"sentence", diagnosis.at("sentence").text()},
             {"floorName", noiseFloorName(diagnosis)},
-            {"suggested", texts(diagnosis.at("suggested"))},
+            {"suggested", diagnosis.at("suggested").texts()},
             {"own", own},
             {"map", mapJson(diagnosis)}};
   addFiguresData(diagnosis, data);

@@ -47,7 +47,10 @@ std::string filled(std::string_view frame, const std::map<std::string_view, std:
 } // namespace
 
 std::string renderReport(const std::filesystem::path& file) {
-  const json document = parseJson(readFile(file), file.string());
+  return renderReport(parseJson(readFile(file), file.string()), file);
+}
+
+std::string renderReport(const json& document, const std::filesystem::path& file) {
   const JsonCursor top{document, file.string()};
   const JsonCursor format = top.at("format");
   const bool isDiagnosis = format.value() == "naocal-diagnosis", isEvaluation = format.value() == "naocal-evaluation";

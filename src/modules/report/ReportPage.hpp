@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 namespace naocal {
@@ -11,5 +12,7 @@ namespace naocal {
 /// A diagnosis page has the verdict, the errors of all models, every candidate, and the curves of joints. Throws
 /// InputError for other files.
 std::string renderReport(const std::filesystem::path& file);
+/// The same from a document that `file` would hold: captures are found beside it, and messages name it.
+std::string renderReport(const nlohmann::json& document, const std::filesystem::path& file);
 
 } // namespace naocal

@@ -91,14 +91,6 @@ json picturesJson(const std::vector<PictureRecord>& seen, const SourceCaptures& 
   return pictures;
 }
 
-json textsAt(const JsonCursor& list) {
-  json texts = json::array();
-  for (const JsonCursor& text : list.elements()) {
-    texts.push_back(text.text());
-  }
-  return texts;
-}
-
 } // namespace
 
 json resultData(const JsonCursor& result, const SourceCaptures& sources) {
@@ -108,12 +100,12 @@ json resultData(const JsonCursor& result, const SourceCaptures& sources) {
             {"headline", words.headline},
             {"sentence", words.sentence},
             {"facts", json::array()},
-            {"warnings", textsAt(result.at("warnings"))},
+            {"warnings", result.at("warnings").texts()},
             {"weak", json::array()},
             {"groups", estimatesData(result.at("effects"))},
             {"pixelNoise", result.at("noise").at("pixel").number({0, 1e6, "px"})},
             {"pictures", picturesJson(readPictures(result), sources)},
-            {"sets", textsAt(result.at("inputs").at("sets"))},
+            {"sets", result.at("inputs").at("sets").texts()},
             {"missing", sources.unavailable()}};
   for (const auto& [figure, sentence] : facts(result, data["pictures"].size(), sources.nominalRms())) {
     data["facts"].push_back({{"figure", figure}, {"sentence", sentence}});

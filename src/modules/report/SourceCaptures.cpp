@@ -84,14 +84,15 @@ double PictureRecord::rms() const {
 
 std::vector<PictureRecord> readPictures(const JsonCursor& result) {
   const JsonCursor cameras = result.at("cameras");
-  const JsonCursor sightings = result.at("sightings");
+  const JsonCursor observations = result.at("sightings");
   std::map<std::pair<std::string, int>, PictureRecord> pictures;
-  for (const JsonCursor& sighting : sightings.elements()) {
-    PictureRecord picture = seenPicture(sighting, cameras);
-    pictures.try_emplace({picture.set, picture.capture}, picture).first->second.boards.push_back(seenBoard(sighting));
+  for (const JsonCursor& observation : observations.elements()) {
+    PictureRecord picture = seenPicture(observation, cameras);
+    pictures.try_emplace({picture.set, picture.capture}, picture)
+        .first->second.boards.push_back(seenBoard(observation));
   }
   if (pictures.empty()) {
-    sightings.refuse("at least one board in a picture");
+    observations.refuse("at least one board in a picture");
   }
   std::vector<PictureRecord> sorted;
   for (auto& [key, picture] : pictures) {

@@ -78,20 +78,20 @@ bool isBalanced(const Robot& robot, const LinkPoses& torsoFromLink, SupportFoot 
                                    : isBalancedOnOne(robot, torsoFromLink, support, other, least);
 }
 
-std::optional<double> balancedFraction(const Robot& robot, const ModelState& belief, SupportFoot foot,
+std::optional<double> balancedFraction(const Robot& robot, const ModelState& modelState, SupportFoot foot,
                                        const BalanceRequirement& wanted, std::mt19937_64& random) {
   std::uniform_real_distribution<double> error{-wanted.jointError, wanted.jointError};
   const int mayFall = static_cast<int>(std::floor((1 - wanted.share) * wanted.draws + 1e-9));
   if (wanted.draws == 0) {
     return 1;
   }
-  ModelState erroneous = belief;
+  ModelState erroneous = modelState;
   std::vector<double> errors(robot.joints.size());
   int fallen = 0;
   for (int draw = 0; draw < wanted.draws; ++draw) {
     std::generate(errors.begin(), errors.end(), [&] { return error(random); });
     for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
-      erroneous.angle(joint) = belief.angle(joint) + errors[robot.joints[joint].motor];
+      erroneous.angle(joint) = modelState.angle(joint) + errors[robot.joints[joint].motor];
     }
     fallen += isBalanced(robot, forwardKinematics(robot, erroneous), foot, {}) ? 0 : 1;
     if (fallen > mayFall) {

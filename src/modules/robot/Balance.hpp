@@ -36,7 +36,7 @@ bool isBalanced(const Robot& robot, const LinkPoses& torsoFromLink, SupportFoot 
 
 /// Share of robots with random joint errors that stay balanced with zero margin; 1 with zero draws. Stops early and
 /// returns nothing once the share falls below `wanted.share`.
-std::optional<double> balancedFraction(const Robot& robot, const ModelState& belief, SupportFoot foot,
+std::optional<double> balancedFraction(const Robot& robot, const ModelState& modelState, SupportFoot foot,
                                        const BalanceRequirement& wanted, std::mt19937_64& random);
 
 } // namespace naocal

@@ -62,7 +62,7 @@ void addGrowth(const Robot& robot, std::array<std::size_t, 3> joints, double ben
 
 } // namespace
 
-GravityLoad gravityLoad(const Robot& robot, const ModelState& belief, const LinkPoses& torsoFromLink,
+GravityLoad gravityLoad(const Robot& robot, const ModelState& modelState, const LinkPoses& torsoFromLink,
                         std::size_t heldLink, const Eigen::Vector3d& upInTorso, bool withGrowthByAngle) {
   const std::size_t links = robot.links.size(), joints = robot.joints.size();
   std::vector<double> mass(links);
@@ -88,7 +88,7 @@ GravityLoad gravityLoad(const Robot& robot, const ModelState& belief, const Link
   std::vector<Turning> turning(joints);
   for (std::size_t joint = 0; joint < joints; ++joint) {
     const std::size_t link = robot.joints[joint].link;
-    const Eigen::Vector3d axis = torsoFromLink[link].rotation * belief.axis(joint);
+    const Eigen::Vector3d axis = torsoFromLink[link].rotation * modelState.axis(joint);
     const bool backwards = carriesHeld[link] != 0; // rotates the links before the joint, in the opposite direction
     const double turned = mass[link] - (backwards ? mass.front() : 0);
     const Eigen::Vector3d lever =
@@ -175,7 +175,7 @@ CentreOfMass centreOfMass(const Robot& robot, const LinkPoses& torsoFromLink) {
   return {whole.mass, whole.first / whole.mass};
 }
 
-Eigen::VectorXd gravityTorques(const Robot& robot, const ModelState& belief, const LinkPoses& torsoFromLink,
+Eigen::VectorXd gravityTorques(const Robot& robot, const ModelState& modelState, const LinkPoses& torsoFromLink,
                                std::size_t heldLink, const Eigen::Vector3d& upInTorso) {
   const std::vector<Moment> beyond = moments(robot, torsoFromLink);
   std::vector<bool> carriesHeld(robot.links.size(), false);
@@ -191,7 +191,7 @@ Eigen::VectorXd gravityTorques(const Robot& robot, const ModelState& belief, con
     if (carriesHeld[link]) {
       turning = {turning.mass - beyond.front().mass, turning.first - beyond.front().first};
     }
-    const Eigen::Vector3d axis = torsoFromThis.rotation * belief.axis(joint);
+    const Eigen::Vector3d axis = torsoFromThis.rotation * modelState.axis(joint);
     const Eigen::Vector3d lever = turning.first - turning.mass * torsoFromThis.translation;
     const double torque = -gravity * upInTorso.dot(axis.cross(lever));
     torques[static_cast<Eigen::Index>(robot.joints[joint].motor)] += torque;

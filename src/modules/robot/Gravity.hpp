@@ -21,7 +21,7 @@ struct GravityLoad {
 ///
 ///   d2U/dq_J dq_K = g up . (a_J x (a_K x L_K)), else 0, and with I before J
 ///   d3U/dq_I dq_J dq_K = g up . (a_I x (a_J x (a_K x L_K))).
-GravityLoad gravityLoad(const Robot& robot, const ModelState& belief, const LinkPoses& torsoFromLink,
+GravityLoad gravityLoad(const Robot& robot, const ModelState& modelState, const LinkPoses& torsoFromLink,
                         std::size_t heldLink, const Eigen::Vector3d& upInTorso, bool withGrowthByAngle = false);
 
 constexpr double gravity = 9.81; // [m/s^2]
@@ -36,7 +36,7 @@ CentreOfMass centreOfMass(const Robot& robot, const LinkPoses& torsoFromLink);
 /// tau_J = -dU/dq_J [Nm] per joint: generalised force of gravity with `heldLink` (a sole, or the torso) held still and
 /// all other angles fixed; positive where gravity drives the angle positive. If a motor drives two joints, both entries
 /// hold the sum. `upInTorso`: unit vector against gravity, in the torso frame.
-Eigen::VectorXd gravityTorques(const Robot& robot, const ModelState& belief, const LinkPoses& torsoFromLink,
+Eigen::VectorXd gravityTorques(const Robot& robot, const ModelState& modelState, const LinkPoses& torsoFromLink,
                                std::size_t heldLink, const Eigen::Vector3d& upInTorso);
 
 } // namespace naocal

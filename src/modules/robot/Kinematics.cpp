@@ -9,10 +9,10 @@ namespace naocal {
 
 namespace {
 
-Eigen::Vector3d origin(const Link& link, const ModelState& belief) {
+Eigen::Vector3d origin(const Link& link, const ModelState& modelState) {
   Eigen::Vector3d result = link.constant;
   for (const Link::Stretch& stretch : link.stretches) {
-    result += belief.length(stretch.length) * stretch.direction;
+    result += modelState.length(stretch.length) * stretch.direction;
   }
   return result;
 }
@@ -20,20 +20,20 @@ Eigen::Vector3d origin(const Link& link, const ModelState& belief) {
 } // namespace
 
 ModelState nominalState(const Robot& robot, const StateLayout& quantities) {
-  ModelState belief{quantities};
+  ModelState modelState{quantities};
   for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
-    belief.axis(joint) = robot.joints[joint].axis;
+    modelState.axis(joint) = robot.joints[joint].axis;
   }
   for (std::size_t length = 0; length < robot.lengths.size(); ++length) {
-    belief.length(length) = robot.lengths[length].value;
+    modelState.length(length) = robot.lengths[length].value;
   }
-  return belief;
+  return modelState;
 }
 
-void moveToRest(const Robot& robot, ModelState& belief) {
+void moveToRest(const Robot& robot, ModelState& modelState) {
   for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
     const AngleRange limits = robot.joints[joint].limits;
-    belief.angle(joint) = std::clamp(robot.joints[joint].restAngle, limits.lower, limits.upper);
+    modelState.angle(joint) = std::clamp(robot.joints[joint].restAngle, limits.lower, limits.upper);
   }
 }
 
@@ -64,7 +64,7 @@ std::vector<std::size_t> ancestorJoints(const Robot& robot, std::size_t link) {
   return joints;
 }
 
-void forwardKinematics(const Robot& robot, const ModelState& belief, const std::vector<std::size_t>& links,
+void forwardKinematics(const Robot& robot, const ModelState& modelState, const std::vector<std::size_t>& links,
                        LinkPoses& torsoFromLink) {
   const RigidTransform torso;
   torsoFromLink.resize(robot.links.size());
@@ -72,28 +72,28 @@ void forwardKinematics(const Robot& robot, const ModelState& belief, const std::
     const Link& link = robot.links[index];
     const RigidTransform& parent = link.parent ? torsoFromLink[*link.parent] : torso;
     RigidTransform& torsoFromThis = torsoFromLink[index];
-    torsoFromThis.translation = parent * origin(link, belief);
+    torsoFromThis.translation = parent * origin(link, modelState);
     if (link.joint) {
       torsoFromThis.rotation.noalias() =
-          parent.rotation * rotationAbout(belief.axis(*link.joint) * belief.angle(*link.joint));
+          parent.rotation * rotationAbout(modelState.axis(*link.joint) * modelState.angle(*link.joint));
     } else {
       torsoFromThis.rotation = parent.rotation;
     }
   }
 }
 
-LinkPoses forwardKinematics(const Robot& robot, const ModelState& belief) {
+LinkPoses forwardKinematics(const Robot& robot, const ModelState& modelState) {
   std::vector<std::size_t> all(robot.links.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
   LinkPoses torsoFromLink;
-  forwardKinematics(robot, belief, all, torsoFromLink);
+  forwardKinematics(robot, modelState, all, torsoFromLink);
   return torsoFromLink;
 }
 
 LinkPoses forwardKinematics(const Robot& robot, const Eigen::VectorXd& angles) {
-  ModelState belief = nominalState(robot, StateLayout{robot.joints.size(), robot.lengths.size(), 0});
-  belief.values.head(angles.size()) = angles;
-  return forwardKinematics(robot, belief);
+  ModelState modelState = nominalState(robot, StateLayout{robot.joints.size(), robot.lengths.size(), 0});
+  modelState.values.head(angles.size()) = angles;
+  return forwardKinematics(robot, modelState);
 }
 
 RigidTransform transformFromPlacement(const Eigen::Ref<const Eigen::Matrix<double, 6, 1>>& placement) {
@@ -106,14 +106,14 @@ RigidTransform transformFromPlacement(const Eigen::Ref<const Eigen::Matrix<doubl
           placement.head<3>()};
 }
 
-RigidTransform linkFromCamera(const CameraMount& mount, const ModelState& belief) {
-  const Eigen::Vector3d turn = belief.mountRotation();
+RigidTransform linkFromCamera(const CameraMount& mount, const ModelState& modelState) {
+  const Eigen::Vector3d turn = modelState.mountRotation();
   return {rotationY(mount.pitch) * rotationX(turn.x()) * rotationY(turn.y()) * rotationZ(turn.z()),
-          mount.translation + belief.mountTranslation()};
+          mount.translation + modelState.mountTranslation()};
 }
 
-RigidTransform linkFromOptical(const CameraMount& mount, const ModelState& belief) {
-  const RigidTransform camera = linkFromCamera(mount, belief);
+RigidTransform linkFromOptical(const CameraMount& mount, const ModelState& modelState) {
+  const RigidTransform camera = linkFromCamera(mount, modelState);
   RigidTransform result{Eigen::Matrix3d{}, camera.translation};
   result.rotation << -camera.rotation.col(1), -camera.rotation.col(2), camera.rotation.col(0);
   return result;

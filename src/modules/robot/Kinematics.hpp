@@ -16,14 +16,14 @@ using LinkPoses = std::vector<RigidTransform>;
 std::vector<std::size_t> ancestorLinks(const Robot& robot, const std::vector<std::size_t>& links);
 
 /// Computes `links` (parents first): torsoFromLink = torsoFromParent * T(origin) * exp([axis * angle]x).
-void forwardKinematics(const Robot& robot, const ModelState& belief, const std::vector<std::size_t>& links,
+void forwardKinematics(const Robot& robot, const ModelState& modelState, const std::vector<std::size_t>& links,
                        LinkPoses& torsoFromLink);
 
 /// Joints between the root and a link, ascending.
 std::vector<std::size_t> ancestorJoints(const Robot& robot, std::size_t link);
 
 /// Poses of all links.
-LinkPoses forwardKinematics(const Robot& robot, const ModelState& belief);
+LinkPoses forwardKinematics(const Robot& robot, const ModelState& modelState);
 
 /// Poses of all links of the nominal robot at these angles (one per joint) [rad].
 LinkPoses forwardKinematics(const Robot& robot, const Eigen::VectorXd& angles);
@@ -32,9 +32,9 @@ LinkPoses forwardKinematics(const Robot& robot, const Eigen::VectorXd& angles);
 RigidTransform transformFromPlacement(const Eigen::Ref<const Eigen::Matrix<double, 6, 1>>& placement);
 
 /// linkFromCamera = T(mount + dt) Ry(pitch) Rx(rx) Ry(ry) Rz(rz); camera axes x forward, y left, z up.
-RigidTransform linkFromCamera(const CameraMount& mount, const ModelState& belief);
+RigidTransform linkFromCamera(const CameraMount& mount, const ModelState& modelState);
 
 /// The same rotation and origin with OpenCV's axes: x right, y down, z forward.
-RigidTransform linkFromOptical(const CameraMount& mount, const ModelState& belief);
+RigidTransform linkFromOptical(const CameraMount& mount, const ModelState& modelState);
 
 } // namespace naocal

@@ -94,6 +94,6 @@ private:
 ModelState nominalState(const Robot& robot, const StateLayout& quantities);
 
 /// Sets all joints to zero, or to the nearest angle within their limits.
-void moveToRest(const Robot& robot, ModelState& belief);
+void moveToRest(const Robot& robot, ModelState& modelState);
 
 } // namespace naocal

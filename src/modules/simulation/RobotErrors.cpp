@@ -44,13 +44,15 @@ Robot InjectedEffect::applyTo(Robot drawing) const {
 
 TrueEffect InjectedEffect::truth(const Robot& drawing) const {
   if (softJoint) {
-    return {"elasticity", drawing.joints[*softJoint].name, {{"c", compliance, "rad/Nm"}}};
+    return {effectName::elasticity, drawing.joints[*softJoint].name, {{"c", compliance, "rad/Nm"}}};
   }
   if (looseJoint && std::isfinite(friction)) {
-    return {"gearPlay", drawing.joints[*looseJoint].name, {{"D", play, "rad"}, {"t", friction - gearFriction, "Nm"}}};
+    return {effectName::gearPlay,
+            drawing.joints[*looseJoint].name,
+            {{"D", play, "rad"}, {"t", friction - gearFriction, "Nm"}}};
   }
   if (looseJoint) {
-    return {"hysteresis", drawing.joints[*looseJoint].name, {{"D", play, "rad"}}};
+    return {effectName::hysteresis, drawing.joints[*looseJoint].name, {{"D", play, "rad"}}};
   }
   return {"linkLength", drawing.lengths[longBone.value()].name, {{"dL", excess, "m"}}};
 }
@@ -90,13 +92,13 @@ InjectedEffect namedFlaw(const Robot& drawing, const std::string& label) {
   InjectedEffect flaw;
   if (const auto joint = drawing.jointIndex(place)) {
     const std::size_t motor = drawing.joints[*joint].motor;
-    if (effect == "elasticity" || effect == "spring") {
+    if (effect == effectName::elasticity || effect == effectName::spring) {
       flaw.softJoint = motor;
       flaw.compliance = 0.008;
-    } else if (effect == "hysteresis" || effect == "gearPlay") {
+    } else if (effect == effectName::hysteresis || effect == effectName::gearPlay) {
       flaw.looseJoint = motor;
       flaw.play = radians(0.7);
-      flaw.friction = effect == "gearPlay" ? gapFriction : flaw.friction;
+      flaw.friction = effect == effectName::gearPlay ? gapFriction : flaw.friction;
     }
   }
   for (std::size_t length = 0; length < drawing.lengths.size() && effect == "linkLength"; ++length) {
@@ -139,14 +141,15 @@ std::vector<TrueEffect> listTrueEffects(const Robot& drawing, const RobotErrors&
   for (std::size_t joint = 0; joint < drawing.joints.size(); ++joint) {
     if (drawing.joints[joint].motor == joint) {
       const double offset = errors.jointOffsets[static_cast<Eigen::Index>(joint)];
-      effects.push_back({"jointOffset", drawing.joints[joint].name, {{"o", offset, "rad"}}});
+      effects.push_back({effectName::jointOffset, drawing.joints[joint].name, {{"o", offset, "rad"}}});
     }
   }
   for (std::size_t camera = 0; camera < drawing.cameras.size(); ++camera) {
     const std::string& name = drawing.cameras[camera].name;
     const auto& [turn, shift] = errors.mounts[camera];
-    effects.push_back(
-        {"cameraRotation", name, {{"rx", turn.x(), "rad"}, {"ry", turn.y(), "rad"}, {"rz", turn.z(), "rad"}}});
+    effects.push_back({effectName::cameraRotation,
+                       name,
+                       {{"rx", turn.x(), "rad"}, {"ry", turn.y(), "rad"}, {"rz", turn.z(), "rad"}}});
     if (shift != Eigen::Vector3d::Zero()) {
       effects.push_back(
           {"cameraTranslation", name, {{"x", shift.x(), "m"}, {"y", shift.y(), "m"}, {"z", shift.z(), "m"}}});

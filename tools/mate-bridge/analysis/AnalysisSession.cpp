@@ -46,12 +46,6 @@ ModelRevision initialRevision(const Dataset& opened, const Measurements& measure
   return {.with = std::move(with), .without = without(base, opened.terms), .definitions = opened.definitions};
 }
 
-std::filesystem::path written(const TemporaryDirectory& folder, const Json& content) {
-  std::filesystem::path file = folder.path() / "content.json"; // the readers take file names
-  writeAtomically(file, content.dump());
-  return file;
-}
-
 } // namespace
 
 AnalysisSession::AnalysisSession(Dataset opened, MessageSink tell)
@@ -236,15 +230,13 @@ void AnalysisSession::proposePoses(std::size_t count) {
 }
 
 void AnalysisSession::compareWith(const Dataset& others) {
-  const TemporaryDirectory passing;
-  const StoredResult stored = readResult(written(passing, result_));
+  const StoredResult stored = parseResult(result_, "result.json");
   Json told = comparisonJson(compare(stored, others.sets, opened_.robot, false));
   told["names"] = others.inputs.sets;
   tell_("compared", told);
 }
 
 std::string AnalysisSession::generateFile(const std::string& name) {
-  const TemporaryDirectory passing;
   if (name == "result.json") {
     return result_.dump(2) + "\n";
   }
@@ -252,7 +244,7 @@ std::string AnalysisSession::generateFile(const std::string& name) {
     return sessionJson(session_).dump(2) + "\n";
   }
   if (name == "report.html") {
-    return renderReport(written(passing, result_));
+    return renderReport(result_, name);
   }
   if (name == "model.json") {
     const ModelRevision& rung = session_.current();
@@ -272,7 +264,7 @@ std::string AnalysisSession::generateFile(const std::string& name) {
     document["next"] = nextPosesJson(*next_, opened_.robot);
   }
   document["inputs"] = {{"sets", opened_.inputs.sets}, {"sha256", opened_.inputs.sha256}};
-  return name == "diagnosis.json" ? document.dump(2) + "\n" : renderReport(written(passing, document));
+  return name == "diagnosis.json" ? document.dump(2) + "\n" : renderReport(document, name);
 }
 
 } // namespace naocal

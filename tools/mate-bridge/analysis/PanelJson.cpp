@@ -4,6 +4,7 @@
 #include "calibration/Verdict.hpp"
 #include "diagnosis/DiagnosisFile.hpp"
 #include "diagnosis/views/TellingPairs.hpp"
+#include "effects/Catalogue.hpp"
 #include "inference/DriverBasis.hpp"
 #include "io/Units.hpp"
 #include "math/Angles.hpp"
@@ -99,7 +100,7 @@ Json compensationJson(const FittedModel& fitted) {
                       : untold.push_back(offset.joint);
   }
   for (const Term& term : fitted.model.terms()) {
-    if (term.effect.name == "cameraRotation") {
+    if (term.effect.name == effectName::cameraRotation) {
       const Eigen::Vector3d rotation = fitted.fit.unknowns.segment<3>(eigenIndex(term.first));
       mounts.push_back({{"camera", term.place}, {"rotation", {rotation.x(), rotation.y(), rotation.z()}}});
     }

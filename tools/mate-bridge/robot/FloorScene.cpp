@@ -89,13 +89,13 @@ RobotOutline::RobotOutline(const Robot& drawing, const Eigen::VectorXd& angles)
 }
 
 std::optional<RigidTransform> RobotOutline::floorFromOptical(const std::string& camera,
-                                                             const LiveCamera& belief) const {
+                                                             const LiveCamera& modelState) const {
   const auto index = drawing_.cameraIndex(camera);
   if (!index) {
     return std::nullopt;
   }
   ModelState believed = nominalState(drawing_, {drawing_.joints.size(), drawing_.lengths.size(), 0});
-  believed.mountRotation() = belief.rotation;
+  believed.mountRotation() = modelState.rotation;
   const CameraMount& mount = drawing_.cameras[*index];
   return floorFromLink_[mount.link] * linkFromOptical(mount, believed);
 }
@@ -118,9 +118,9 @@ Json RobotOutline::toJson(const LiveCameras& cameras) const {
       feet[sole.name].push_back(rounded(Eigen::Vector2d{there.head<2>()}));
     }
   }
-  for (const auto& [name, belief] : cameras) {
-    if (const auto eyeHere = floorFromOptical(name, belief)) {
-      views[name] = viewOnFloor(*eyeHere, belief.intrinsics);
+  for (const auto& [name, modelState] : cameras) {
+    if (const auto eyeHere = floorFromOptical(name, modelState)) {
+      views[name] = viewOnFloor(*eyeHere, modelState.intrinsics);
     }
   }
   if (const auto eyeHere = floorFromOptical("top", {})) {

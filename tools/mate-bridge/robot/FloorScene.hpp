@@ -34,7 +34,7 @@ public:
   const std::string& carries() const { return carries_; }
 
   /// floorFromOptical (x right, y down, z forward); absent if the robot has no such camera.
-  std::optional<RigidTransform> floorFromOptical(const std::string& camera, const LiveCamera& belief) const;
+  std::optional<RigidTransform> floorFromOptical(const std::string& camera, const LiveCamera& modelState) const;
 
   /// Outline for display: `hull` [[from, to, radius]] of its parts, `feet` {left, right} their outlines, `centre` of
   /// mass, `gaze` [from, to] from the top camera ahead, `carries` "left" | "right" | "both", `views` by camera: the

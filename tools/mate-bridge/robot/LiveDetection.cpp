@@ -112,18 +112,18 @@ void LiveDetection::tellScene() {
 void LiveDetection::onImage(const std::string& key, std::uint64_t timestamp, int width, int height,
                             std::string_view file) {
   const std::string camera = cameraOf(key);
-  const auto belief = cameras_.find(camera);
+  const auto modelState = cameras_.find(camera);
   const auto now = SteadyClock::now();
-  if (angles_.empty() || belief == cameras_.end() || now - looked_[camera] < betweenLooks) {
+  if (angles_.empty() || modelState == cameras_.end() || now - looked_[camera] < betweenLooks) {
     return;
   }
   const auto after = angles_.lower_bound(timestamp);
   const Eigen::VectorXd& angles = after == angles_.end() ? angles_.rbegin()->second : after->second;
-  const auto floorFromOptical = RobotOutline{drawing_, angles}.floorFromOptical(camera, belief->second);
+  const auto floorFromOptical = RobotOutline{drawing_, angles}.floorFromOptical(camera, modelState->second);
   if (!floorFromOptical) {
     return;
   }
-  const CameraView eye{*floorFromOptical, scaled(belief->second.intrinsics, width, height)};
+  const CameraView eye{*floorFromOptical, scaled(modelState->second.intrinsics, width, height)};
   {
     const std::lock_guard lock{sight_->mutex};
     bool& busy = sight_->busy[camera];
@@ -133,7 +133,7 @@ void LiveDetection::onImage(const std::string& key, std::uint64_t timestamp, int
     busy = true;
   }
   looked_[camera] = now;
-  LiveCamera seenWith = belief->second;
+  LiveCamera seenWith = modelState->second;
   seenWith.intrinsics = eye.lens;
   worker_.enqueue([sight = sight_, tell = tell_, robot = robot_, key, camera, timestamp, eye, bytes = std::string{file},
                    angles, seenWith, unknown = findUncalibrated(drawing_, offsets_, cameras_),

@@ -114,7 +114,7 @@ Uncalibrated findUncalibrated(const Robot& drawing, const Json& offsets, const L
 }
 
 LiveExpectation predictLiveError(const Robot& drawing, const Eigen::VectorXd& angles, const std::string& camera,
-                                 const LiveCamera& belief, const std::vector<Eigen::Vector2d>& pixels,
+                                 const LiveCamera& modelState, const std::vector<Eigen::Vector2d>& pixels,
                                  const Uncalibrated& uncalibrated) {
   const auto index = drawing.cameraIndex(camera);
   const std::vector<const Sole*> soles = carrying(drawing, angles);
@@ -124,11 +124,11 @@ LiveExpectation predictLiveError(const Robot& drawing, const Eigen::VectorXd& an
   }
   // small steps, scaled linearly: full steps could move boards beyond the horizon
   constexpr double step = 1e-3; // [rad]
-  const double ofJoint = sigmaOf("jointOffset") / step, ofMount = sigmaOf("cameraRotation") / step;
+  const double ofJoint = sigmaOf(effectName::jointOffset) / step, ofMount = sigmaOf(effectName::cameraRotation) / step;
   std::set<std::size_t> counted;
   double squares = 0;
   for (const Sole* const sole : soles) {
-    const RigidTransform here = seenFrom(*sole, drawing, angles, *index, belief.rotation);
+    const RigidTransform here = seenFrom(*sole, drawing, angles, *index, modelState.rotation);
     const double share = 1.0 / double(soles.size() * soles.size()); // variance of a mean of independent legs
     std::vector<std::size_t> chain = ancestorJoints(drawing, sole->link);
     const std::vector<std::size_t> neck = ancestorJoints(drawing, drawing.cameras[*index].link);
@@ -139,9 +139,9 @@ LiveExpectation predictLiveError(const Robot& drawing, const Eigen::VectorXd& an
       }
       Eigen::VectorXd moved = angles;
       moved[static_cast<Eigen::Index>(joint)] -= step;
-      const double square =
-          meanSquare(here, seenFrom(*sole, drawing, moved, *index, belief.rotation), belief.intrinsics, pixels) *
-          ofJoint * ofJoint;
+      const double square = meanSquare(here, seenFrom(*sole, drawing, moved, *index, modelState.rotation),
+                                       modelState.intrinsics, pixels) *
+                            ofJoint * ofJoint;
       const bool isOfNeck = std::find(neck.begin(), neck.end(), joint) != neck.end(); // common to both soles
       squares += square * (isOfNeck ? 1.0 / double(soles.size()) : share);
       constexpr double unseen = 1; // [px^2]; smaller contributions are not listed
@@ -150,9 +150,9 @@ LiveExpectation predictLiveError(const Robot& drawing, const Eigen::VectorXd& an
       }
     }
     for (int axis = 0; axis < 3 && uncalibrated.cameras.contains(camera); ++axis) {
-      Eigen::Vector3d turned = belief.rotation;
+      Eigen::Vector3d turned = modelState.rotation;
       turned[axis] += step;
-      squares += meanSquare(here, seenFrom(*sole, drawing, angles, *index, turned), belief.intrinsics, pixels) *
+      squares += meanSquare(here, seenFrom(*sole, drawing, angles, *index, turned), modelState.intrinsics, pixels) *
                  ofMount * ofMount / double(soles.size());
       result.camera = true;
     }

@@ -32,7 +32,7 @@ struct LiveExpectation {
 /// declares. `FloorBoardTracker` places boards where images show them, so motions of the whole floor within its plane
 /// (a rotation of HeadYaw) are invisible and excluded. For a robot on both feet the two legs are averaged.
 LiveExpectation predictLiveError(const Robot& drawing, const Eigen::VectorXd& angles, const std::string& camera,
-                                 const LiveCamera& belief, const std::vector<Eigen::Vector2d>& pixels,
+                                 const LiveCamera& modelState, const std::vector<Eigen::Vector2d>& pixels,
                                  const Uncalibrated& uncalibrated);
 
 } // namespace naocal

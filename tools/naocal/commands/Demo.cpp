@@ -8,6 +8,7 @@
 #include "data/CaptureSetFile.hpp"
 #include "detect/BoardDetector.hpp"
 #include "diagnosis/DiagnosisFile.hpp"
+#include "effects/Catalogue.hpp"
 #include "estimation/ModelBuilder.hpp"
 #include "io/Files.hpp"
 #include "io/InputError.hpp"
@@ -70,8 +71,8 @@ std::pair<std::size_t, std::size_t> printTruth(const Truth& truth, const Model& 
       inside += isInside;
       const auto [unit, scale] = displayUnit(unknown.unit);
       fmt::print("  {:<34} {:>9.3f}{:<6} {:>9.3f}    {:>8.3f}{}\n",
-                 term.effect.name == "jointOffset" ? term.place : term.label() + " " + unknown.name, scale * *value,
-                 appendUnit("", unit), scale * estimate.best(), scale * estimate.bestSigma(),
+                 term.effect.name == effectName::jointOffset ? term.place : term.label() + " " + unknown.name,
+                 scale * *value, appendUnit("", unit), scale * estimate.best(), scale * estimate.bestSigma(),
                  isInside ? "" : "  outside 95 %");
     }
   }

@@ -45,7 +45,7 @@ void readModel(DiagnoseCommand& command, const Robot& robot) {
 NextPoses asked(const DiagnoseCommand& command, const Measurements& measurements, const Diagnosis& diagnosis) {
   NextPosesOptions options = command.next;
   options.count = command.json.empty() && command.poses.empty() ? 0 : options.count;
-  options.seed = command.options.inquiry.seed;
+  options.seed = command.options.candidateTests.seed;
   try {
     return proposeNextPoses(measurements, diagnosis, command.options, options);
   } catch (const InputError& error) { // the diagnosis stands all the same
@@ -143,10 +143,12 @@ void addDiagnose(CLI::App& app, int& exitCode) {
       ->check(CLI::Range(0, 100))
       ->capture_default_str();
   diagnoser
-      ->add_option("--seed", command->options.inquiry.seed, "seed of the noise simulations and of the candidate poses")
+      ->add_option("--seed", command->options.candidateTests.seed,
+                   "seed of the noise simulations and of the candidate poses")
       ->capture_default_str();
   diagnoser
-      ->add_option("--draws", command->options.inquiry.draws, "number of noise simulations behind the false-alarm rate")
+      ->add_option("--draws", command->options.candidateTests.draws,
+                   "number of noise simulations behind the false-alarm rate")
       ->check(CLI::Range(19, 100000))
       ->capture_default_str();
   diagnoser->add_flag("--same-place", command->samePlace,

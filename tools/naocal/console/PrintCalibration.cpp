@@ -1,6 +1,7 @@
 #include "console/PrintCalibration.hpp"
 
 #include "calibration/Verdict.hpp"
+#include "effects/Catalogue.hpp"
 #include "io/Units.hpp"
 #include "math/Angles.hpp"
 
@@ -28,7 +29,7 @@ void printEstimates(const Model& model, const CalibrationResult& result) {
       const Estimate& estimate = result.estimates[term.first + i];
       const auto [unit, scale] = displayUnit(unknown.unit);
       const std::string name =
-          term.effect.name == "jointOffset" ? term.place : fmt::format("{} {}", term.label(), unknown.name);
+          term.effect.name == effectName::jointOffset ? term.place : fmt::format("{} {}", term.label(), unknown.name);
       fmt::print("  {:<38} {:>10.4f} {:<4}  {:>8.4f} {:<4}  {:>3.0f} % {}\n", name, scale * estimate.best(), unit,
                  scale * estimate.bestSigma(), unit, 100 * estimate.learned, bar(estimate.learned));
     }
@@ -62,7 +63,7 @@ void printCalibration(const FittedModel& fitted) {
     const ImageObservation& picture = fitted.measurements.pictures[doubt.picture];
     fmt::print("\ndoubtful: capture {} ({}), board {}: {} {:.1f} px off{}", fitted.measurements.captureOf(picture).id,
                fitted.measurements.captureOf(picture).camera,
-               fitted.measurements.targets[picture.sightings[doubt.sighting].view.board()].name,
+               fitted.measurements.targets[picture.observations[doubt.observation].view.board()].name,
                doubt.whole ? fmt::format("{} corners together", doubt.corners.size())
                            : fmt::format("{} corner{}", doubt.corners.size(), doubt.corners.size() == 1 ? "" : "s"),
                doubt.distance, doubt.whole ? ": was the board moved or the robot touched?" : "");

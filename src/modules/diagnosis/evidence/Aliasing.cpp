@@ -9,23 +9,24 @@
 
 namespace naocal {
 
-AliasMatrix computeAliasMatrix(const CandidateTests& inquiry, const std::vector<std::string>& labels,
+AliasMatrix computeAliasMatrix(const CandidateTests& candidateTests, const std::vector<std::string>& labels,
                                std::size_t most) {
   AliasMatrix result;
   std::vector<ColumnGroup> groups;
   for (const std::string& label : labels) {
-    const auto candidate = inquiry.findCandidate(label);
-    if (candidate && inquiry.candidateEvidence(*candidate).freedom > 0 && groups.size() < most) {
+    const auto candidate = candidateTests.findCandidate(label);
+    if (candidate && candidateTests.candidateEvidence(*candidate).freedom > 0 && groups.size() < most) {
       result.labels.push_back(label);
-      groups.push_back(inquiry.problem().groups[*candidate]);
+      groups.push_back(candidateTests.problem().groups[*candidate]);
     }
   }
   const auto count = static_cast<Eigen::Index>(groups.size());
   result.correlations.setIdentity(count, count);
   for (Eigen::Index i = 0; i < count; ++i) {
     for (Eigen::Index j = 0; j < i; ++j) {
-      result.correlations(i, j) = result.correlations(j, i) = canonicalCorrelation(
-          inquiry.evidence().information, groups[static_cast<std::size_t>(i)], groups[static_cast<std::size_t>(j)]);
+      result.correlations(i, j) = result.correlations(j, i) =
+          canonicalCorrelation(candidateTests.evidence().information, groups[static_cast<std::size_t>(i)],
+                               groups[static_cast<std::size_t>(j)]);
     }
   }
   return result;
@@ -56,13 +57,14 @@ double evidenceToSeparate(double correlation) {
   return 5.4 / std::max(1e-9, 1 - correlation);
 }
 
-std::vector<std::size_t> findEquivalents(const CandidateTests& inquiry, std::size_t chosen) {
+std::vector<std::size_t> findEquivalents(const CandidateTests& candidateTests, std::size_t chosen) {
   std::vector<std::size_t> result;
-  const GroupEvidence& best = inquiry.candidateEvidence(chosen);
-  const std::vector<ColumnGroup>& groups = inquiry.problem().groups;
-  const bool onlyData = !isPlausible(best, inquiry.candidates()[chosen].sigmas()); // the prior size does not count then
-  for (std::size_t i = 0; i < inquiry.candidates().size(); ++i) {
-    const GroupEvidence& other = inquiry.candidateEvidence(i);
+  const GroupEvidence& best = candidateTests.candidateEvidence(chosen);
+  const std::vector<ColumnGroup>& groups = candidateTests.problem().groups;
+  const bool onlyData =
+      !isPlausible(best, candidateTests.candidates()[chosen].sigmas()); // the prior size does not count then
+  for (std::size_t i = 0; i < candidateTests.candidates().size(); ++i) {
+    const GroupEvidence& other = candidateTests.candidateEvidence(i);
     if (i == chosen || other.freedom < 1 || other.bayes <= 0) {
       continue;
     }
@@ -71,7 +73,7 @@ std::vector<std::size_t> findEquivalents(const CandidateTests& inquiry, std::siz
     if (behind >= threshold::maxEvidenceGap) {
       continue;
     }
-    const double like = canonicalCorrelation(inquiry.evidence().information, groups[chosen], groups[i]);
+    const double like = canonicalCorrelation(candidateTests.evidence().information, groups[chosen], groups[i]);
     const bool tells = best.likelihoodRatio >= evidenceToSeparate(like);
     const bool besideIt =
         like < threshold::related && other.bayes >= threshold::veryStrong; // present in addition to the chosen one

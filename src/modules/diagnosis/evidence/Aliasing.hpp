@@ -16,7 +16,8 @@ struct AliasMatrix {
 };
 
 /// For the first `most` labels among the tested candidates that the model does not absorb.
-AliasMatrix computeAliasMatrix(const CandidateTests& inquiry, const std::vector<std::string>& labels, std::size_t most);
+AliasMatrix computeAliasMatrix(const CandidateTests& candidateTests, const std::vector<std::string>& labels,
+                               std::size_t most);
 
 /// Largest canonical correlation between the image displacements of two candidates, with the model projected out.
 /// `information`: projected, of all candidates' columns (`Evidence::information`).
@@ -29,6 +30,6 @@ double evidenceToSeparate(double correlation);
 /// Candidates that these captures cannot distinguish from `chosen`: almost as likely, or so correlated that chance may
 /// account for the gap (`evidenceToSeparate`). Prior sizes count, unless the chosen effect's size is implausible. A
 /// significant candidate with a different signature is present in its own right and not an alternative.
-std::vector<std::size_t> findEquivalents(const CandidateTests& inquiry, std::size_t chosen);
+std::vector<std::size_t> findEquivalents(const CandidateTests& candidateTests, std::size_t chosen);
 
 } // namespace naocal

@@ -26,7 +26,7 @@ struct Folds {
   FoldSums all;
   std::vector<FoldSums> parts;
 };
-Folds splitIntoFolds(const CandidateTests& inquiry, const Eigen::VectorXd& step);
+Folds splitIntoFolds(const CandidateTests& candidateTests, const Eigen::VectorXd& step);
 
 namespace {
 
@@ -135,10 +135,10 @@ struct Choices {
   std::vector<Columns> candidates, chosen; // per candidate; per effect selected on all poses
   Columns given;                           // all other columns of the model
 
-  Choices(const CandidateTests& inquiry, const Model& model, const std::vector<std::string>& labels) {
-    const Eigen::Index own = inquiry.problem().ownCount();
-    for (std::size_t i = 0; i < inquiry.candidates().size(); ++i) {
-      const ColumnGroup& group = inquiry.problem().groups[i];
+  Choices(const CandidateTests& candidateTests, const Model& model, const std::vector<std::string>& labels) {
+    const Eigen::Index own = candidateTests.problem().ownCount();
+    for (std::size_t i = 0; i < candidateTests.candidates().size(); ++i) {
+      const ColumnGroup& group = candidateTests.problem().groups[i];
       candidates.push_back(range(own + group.first, group.count));
     }
     for (const Term& term : model.terms()) {
@@ -151,14 +151,14 @@ struct Choices {
 
 } // namespace
 
-std::optional<CrossValidation> crossValidate(const CandidateTests& inquiry, const Model& model,
+std::optional<CrossValidation> crossValidate(const CandidateTests& candidateTests, const Model& model,
                                              const std::vector<std::string>& chosen,
                                              const std::vector<std::vector<std::size_t>>& added) {
-  const ScoreProblem& problem = inquiry.problem();
-  if (inquiry.poses().size() < 2) {
+  const ScoreProblem& problem = candidateTests.problem();
+  if (candidateTests.poses().size() < 2) {
     return std::nullopt;
   }
-  const Choices choices{inquiry, model, chosen};
+  const Choices choices{candidateTests, model, chosen};
   Eigen::VectorXd prior{problem.ownCount() + problem.candidates}, start{Eigen::VectorXd::Zero(prior.size())};
   prior << problem.sigmas.cwiseAbs2().cwiseInverse(),
       problem.plausible.head(problem.candidates).cwiseAbs2().cwiseInverse();
@@ -168,7 +168,7 @@ std::optional<CrossValidation> crossValidate(const CandidateTests& inquiry, cons
     toNone(effect) = -start(effect);
     start(effect).setZero();
   }
-  const Folds sums = splitIntoFolds(inquiry, toNone);
+  const Folds sums = splitIntoFolds(candidateTests, toNone);
   std::vector<Columns> groups = choices.candidates;
   groups.insert(groups.end(), choices.chosen.begin(), choices.chosen.end());
   Columns asItIs = choices.given;
@@ -250,9 +250,9 @@ void applyStep(const Eigen::VectorXd& step, FoldSums& sums) {
 
 } // namespace
 
-Folds splitIntoFolds(const CandidateTests& inquiry, const Eigen::VectorXd& step) {
-  const NullModel alone{inquiry.problem(), inquiry.noise()};
-  const std::size_t parts = std::min(folds, inquiry.poses().size());
+Folds splitIntoFolds(const CandidateTests& candidateTests, const Eigen::VectorXd& step) {
+  const NullModel alone{candidateTests.problem(), candidateTests.noise()};
+  const std::size_t parts = std::min(folds, candidateTests.poses().size());
   Folds result;
   for (std::size_t part = 0; part < parts; ++part) {
     FoldSums& sums = result.parts.emplace_back(computeSums(part, parts, alone));

@@ -22,7 +22,7 @@ struct CrossValidation {
 };
 /// `chosen`: labels of the model's effects that were selected on these poses. `added`: candidates to evaluate, one or
 /// several together per entry. Absent with a single pose.
-std::optional<CrossValidation> crossValidate(const CandidateTests& inquiry, const Model& model,
+std::optional<CrossValidation> crossValidate(const CandidateTests& candidateTests, const Model& model,
                                              const std::vector<std::string>& chosen,
                                              const std::vector<std::vector<std::size_t>>& added);
 

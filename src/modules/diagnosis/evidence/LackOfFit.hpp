@@ -14,6 +14,6 @@ struct LackOfFit {
   double pValue = 1;
   double noiseFloorPx = 0; // expected rms distance of corners under noise alone [px]
 };
-LackOfFit testLackOfFit(const CandidateTests& inquiry);
+LackOfFit testLackOfFit(const CandidateTests& candidateTests);
 
 } // namespace naocal

@@ -8,15 +8,15 @@
 
 namespace naocal {
 
-std::optional<AddedVariable> computeAddedVariable(const CandidateTests& inquiry, const Model& model,
+std::optional<AddedVariable> computeAddedVariable(const CandidateTests& candidateTests, const Model& model,
                                                   std::size_t candidate) {
-  const ScoreProblem& problem = inquiry.problem();
-  const GroupEvidence& evidence = inquiry.candidateEvidence(candidate);
+  const ScoreProblem& problem = candidateTests.problem();
+  const GroupEvidence& evidence = candidateTests.candidateEvidence(candidate);
   if (evidence.freedom < 1) {
     return std::nullopt;
   }
   const Eigen::VectorXd direction = evidence.estimate.size() == 1 ? Eigen::VectorXd::Ones(1) : evidence.estimate;
-  const CandidateColumn column{inquiry, candidate, direction, inquiry.noise()};
+  const CandidateColumn column{candidateTests, candidate, direction, candidateTests.noise()};
   const Eigen::Index own = problem.ownCount();
   Eigen::VectorXd left(own + 1), fitted(own + 1); // e = J left, M r = r + J fitted
   left << -column.imitation, 1;
@@ -87,16 +87,16 @@ std::string termLabel(const Model& model, Eigen::Index unknown) {
   return term->label();
 }
 
-CandidateColumn::CandidateColumn(const CandidateTests& inquiry, std::size_t candidate, const Eigen::VectorXd& direction,
-                                 const Noise& noise) {
-  const ScoreProblem& problem = inquiry.problem();
+CandidateColumn::CandidateColumn(const CandidateTests& candidateTests, std::size_t candidate,
+                                 const Eigen::VectorXd& direction, const Noise& noise) {
+  const ScoreProblem& problem = candidateTests.problem();
   const Eigen::Index own = problem.ownCount();
   prior = problem.sigmas.cwiseAbs2().cwiseInverse();
   Eigen::MatrixXd information = Eigen::MatrixXd::Zero(own + 1, own + 1);
   information.topLeftCorner(own, own) = prior.asDiagonal();
   Eigen::VectorXd gradient = Eigen::VectorXd::Zero(own + 1);
   gradient.head(own) = prior.cwiseProduct(problem.unknowns);
-  for (const PoseRows& pose : inquiry.poses()) {
+  for (const PoseRows& pose : candidateTests.poses()) {
     const Pose& sums =
         poses.emplace_back(sumColumn(pose, noise, own, own + problem.groups[candidate].first, direction));
     information(sums.columns, sums.columns) += sums.information;

@@ -31,14 +31,14 @@ struct AddedVariable {
 };
 
 /// Absent if the model absorbs the candidate.
-std::optional<AddedVariable> computeAddedVariable(const CandidateTests& inquiry, const Model& model,
+std::optional<AddedVariable> computeAddedVariable(const CandidateTests& candidateTests, const Model& model,
                                                   std::size_t candidate);
 
 /// A candidate as a single column beside the model's own unknowns, in sums whitened at one noise level, with the
 /// response of the own unknowns.
 struct CandidateColumn {
   /// `direction`: change of each of the candidate's unknowns per unit of the column [the unknown's unit].
-  CandidateColumn(const CandidateTests& inquiry, std::size_t candidate, const Eigen::VectorXd& direction,
+  CandidateColumn(const CandidateTests& candidateTests, std::size_t candidate, const Eigen::VectorXd& direction,
                   const Noise& noise);
 
   struct Pose {

@@ -18,7 +18,7 @@ namespace naocal {
 
 /// Adds to a finding the small expression that best follows the joint's misfit over its driver: linear, square, |x|,
 /// sign, root, sines and cosines of x to 8x, a step in time, the driver times the joint's torque.
-void fitExpression(const CandidateTests& inquiry, const Measurements& measurements, const DriverBasis& cell,
+void fitExpression(const CandidateTests& candidateTests, const Measurements& measurements, const DriverBasis& cell,
                    DriverCurve& finding);
 
 namespace {
@@ -77,44 +77,44 @@ struct CurveName {
   std::string place, driver;
 };
 
-CurveName curveName(const CandidateTests& inquiry, const Measurements& measurements, std::size_t curve) {
-  const std::vector<DriverSeries>& drivers = inquiry.map().drivers;
-  if (curve < inquiry.mounts().size()) {
-    const MountCurve& mount = inquiry.mounts()[curve];
+CurveName curveName(const CandidateTests& candidateTests, const Measurements& measurements, std::size_t curve) {
+  const std::vector<DriverSeries>& drivers = candidateTests.map().drivers;
+  if (curve < candidateTests.mounts().size()) {
+    const MountCurve& mount = candidateTests.mounts()[curve];
     return {measurements.robot.cameras[mount.camera()].name, drivers[mount.cell.driver].name};
   }
-  const DriverBasis& cell = inquiry.map().cells[curve - inquiry.mounts().size()];
+  const DriverBasis& cell = candidateTests.map().cells[curve - candidateTests.mounts().size()];
   return {measurements.robot.joints[cell.motor].name, expressionName(drivers[cell.driver], cell.motor)};
 }
 
 /// A curve as a finding; of a mount, about the axis with the largest rotation.
-DriverCurve makeDriverCurve(const CandidateTests& inquiry, const Measurements& measurements, std::size_t curve) {
-  const CurveName name = curveName(inquiry, measurements, curve);
-  const GroupEvidence& group = inquiry.curveEvidence(curve);
+DriverCurve makeDriverCurve(const CandidateTests& candidateTests, const Measurements& measurements, std::size_t curve) {
+  const CurveName name = curveName(candidateTests, measurements, curve);
+  const GroupEvidence& group = candidateTests.curveEvidence(curve);
   DriverCurve result{.place = name.place, .driver = name.driver};
   result.likelihoodRatio = group.likelihoodRatio;
   result.bayes = group.bayes;
-  const bool ofMount = curve < inquiry.mounts().size();
-  const DriverBasis& cell =
-      ofMount ? inquiry.mounts()[curve].cell : inquiry.map().cells[curve - inquiry.mounts().size()];
-  const DriverSeries& driver = inquiry.map().drivers[cell.driver];
+  const bool ofMount = curve < candidateTests.mounts().size();
+  const DriverBasis& cell = ofMount ? candidateTests.mounts()[curve].cell
+                                    : candidateTests.map().cells[curve - candidateTests.mounts().size()];
+  const DriverSeries& driver = candidateTests.map().drivers[cell.driver];
   result.what = driver.what;
   if (ofMount) {
-    drawMount(cell, driver.atPicture, group, inquiry.noise().pose, result);
+    drawMount(cell, driver.atPicture, group, candidateTests.noise().pose, result);
   } else {
-    result.share = shareOf(cell, driver.atPicture, group.estimate, inquiry.noise().pose);
+    result.share = shareOf(cell, driver.atPicture, group.estimate, candidateTests.noise().pose);
     draw(cell, group.estimate, group.covariance, result);
-    fitExpression(inquiry, measurements, cell, result);
+    fitExpression(candidateTests, measurements, cell, result);
   }
   return result;
 }
 
 /// The curve with the most evidence for each pair of place and driver, best first.
-std::vector<std::size_t> bestCurves(const CandidateTests& inquiry, const Measurements& measurements) {
+std::vector<std::size_t> bestCurves(const CandidateTests& candidateTests, const Measurements& measurements) {
   std::vector<std::size_t> result;
   std::set<std::pair<std::string, std::string>> seen;
-  for (std::size_t curve : inquiry.curvesByEvidence()) {
-    const CurveName name = curveName(inquiry, measurements, curve);
+  for (std::size_t curve : candidateTests.curvesByEvidence()) {
+    const CurveName name = curveName(candidateTests, measurements, curve);
     if (seen.insert({name.place, name.driver}).second) {
       result.push_back(curve);
     }
@@ -124,17 +124,17 @@ std::vector<std::size_t> bestCurves(const CandidateTests& inquiry, const Measure
 
 } // namespace
 
-DriverMap mapDrivers(const CandidateTests& inquiry, const Measurements& measurements) {
+DriverMap mapDrivers(const CandidateTests& candidateTests, const Measurements& measurements) {
   DriverMap map;
-  std::vector<std::size_t> best = bestCurves(inquiry, measurements);
+  std::vector<std::size_t> best = bestCurves(candidateTests, measurements);
   for (std::size_t i = 0; i < std::min<std::size_t>(3, best.size()); ++i) {
-    map.best.push_back(makeDriverCurve(inquiry, measurements, best[i]));
+    map.best.push_back(makeDriverCurve(candidateTests, measurements, best[i]));
   }
   std::sort(best.begin(), best.end());
   for (std::size_t curve : best) {
-    const CurveName name = curveName(inquiry, measurements, curve);
-    map.cells.push_back(
-        {name.place, name.driver, inquiry.curveEvidence(curve).bayes, inquiry.curveEvidence(curve).pValue});
+    const CurveName name = curveName(candidateTests, measurements, curve);
+    map.cells.push_back({name.place, name.driver, candidateTests.curveEvidence(curve).bayes,
+                         candidateTests.curveEvidence(curve).pValue});
   }
   return map;
 }
@@ -303,11 +303,11 @@ bool isSineOf(const std::string& sine, const std::string& cosine) {
 
 } // namespace
 
-void fitExpression(const CandidateTests& inquiry, const Measurements& measurements, const DriverBasis& cell,
+void fitExpression(const CandidateTests& candidateTests, const Measurements& measurements, const DriverBasis& cell,
                    DriverCurve& finding) {
-  const std::vector<DriverSeries>& drivers = inquiry.map().drivers;
+  const std::vector<DriverSeries>& drivers = candidateTests.map().drivers;
   DriverColumns columns =
-      buildProportionalColumns(measurements, shapes(drivers[cell.driver], cell.motor, drivers), inquiry.poses());
+      buildProportionalColumns(measurements, shapes(drivers[cell.driver], cell.motor, drivers), candidateTests.poses());
   const std::vector<DriverBasis> single = columns.cells;
   const auto nameOf = [&](std::size_t i) { return columns.drivers[single[i].driver].name; };
   for (std::size_t i = 0; i + 1 < single.size(); ++i) {
@@ -316,7 +316,7 @@ void fitExpression(const CandidateTests& inquiry, const Measurements& measuremen
       columns.cells.back().count = 2;
     }
   }
-  ScoreProblem problem = inquiry.problem();
+  ScoreProblem problem = candidateTests.problem();
   problem.map = &columns;
   problem.plausible = Eigen::VectorXd::Constant(problem.candidates + columns.count, curvePriorSigma);
   problem.groups.clear();
@@ -324,7 +324,7 @@ void fitExpression(const CandidateTests& inquiry, const Measurements& measuremen
   for (const DriverBasis& shape : columns.cells) {
     problem.groups.push_back({problem.candidates + shape.first, shape.count});
   }
-  const Evidence evidence = computeEvidence(problem, inquiry.noise());
+  const Evidence evidence = computeEvidence(problem, candidateTests.noise());
   const auto best = std::max_element(evidence.groups.begin(), evidence.groups.end(),
                                      [](const auto& a, const auto& b) { return a.bayes < b.bayes; });
   const DriverBasis& shape = columns.cells[static_cast<std::size_t>(best - evidence.groups.begin())];

@@ -41,7 +41,7 @@ struct DriverMap {
   std::vector<DriverScore> cells;
   std::vector<DriverCurve> best; // curves with the most evidence, best first
 };
-DriverMap mapDrivers(const CandidateTests& inquiry, const Measurements& measurements);
+DriverMap mapDrivers(const CandidateTests& candidateTests, const Measurements& measurements);
 
 /// An image field as a curve, like those of joints. Driver: rows ("y") or columns ("x") for a board, "v" or "u" for a
 /// camera. Selects the pair of component and driver with the largest variation.

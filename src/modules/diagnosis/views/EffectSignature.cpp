@@ -86,8 +86,8 @@ void summarizeSignature(const Measurements& measurements, EffectSignature& impri
   double before = 0, after = 0, count = 0;
   for (const EffectSignature::Seen& seen : imprint.pictures) {
     double corners = 0;
-    for (const BoardObservation& sighting : measurements.pictures[seen.picture].sightings) {
-      corners += static_cast<double>(sighting.ids.size());
+    for (const BoardObservation& observation : measurements.pictures[seen.picture].observations) {
+      corners += static_cast<double>(observation.ids.size());
     }
     before += corners * seen.beforePx * seen.beforePx;
     after += corners * seen.afterPx * seen.afterPx;
@@ -107,16 +107,16 @@ void summarizeSignature(const Measurements& measurements, EffectSignature& impri
 
 } // namespace
 
-std::vector<EffectSignature> computeSignatures(const FittedModel& fitted, const CandidateTests& inquiry,
+std::vector<EffectSignature> computeSignatures(const FittedModel& fitted, const CandidateTests& candidateTests,
                                                const std::vector<std::size_t>& candidates) {
   std::vector<EffectSignature> result;
   std::vector<Eigen::VectorXd> refitted;
   for (std::size_t candidate : candidates) {
-    const GroupEvidence& evidence = inquiry.candidateEvidence(candidate);
+    const GroupEvidence& evidence = candidateTests.candidateEvidence(candidate);
     EffectSignature& imprint = result.emplace_back();
     imprint.found = evidence.bayes > 0;
-    imprint.size = displaySize(evidence, inquiry.candidates()[candidate].effect);
-    const CandidateColumn column{inquiry, candidate, imprint.size, inquiry.noise()};
+    imprint.size = displaySize(evidence, candidateTests.candidates()[candidate].effect);
+    const CandidateColumn column{candidateTests, candidate, imprint.size, candidateTests.noise()};
     imprint.imitator = termLabel(fitted.model, column.like);
     refitted.push_back(fitted.fit.unknowns + column.imitation);
   }
@@ -126,7 +126,7 @@ std::vector<EffectSignature> computeSignatures(const FittedModel& fitted, const 
     const ModelState plain = predictState(fitted.measurements, fitted.model, picture, fitted.fit.unknowns);
     const Eigen::Matrix2Xd shown = joinCorners(predictBoards(fitted.measurements, picture, plain));
     for (std::size_t i = 0; i < candidates.size(); ++i) {
-      const Term& term = inquiry.candidates()[candidates[i]];
+      const Term& term = candidateTests.candidates()[candidates[i]];
       ModelState flawed = plain;
       for (std::size_t at : sitesOn(term, fitted.measurements, picture)) {
         term.effect.correct(flawed, instant, at, {result[i].size.data(), term.effect.unknowns.size()});

@@ -27,7 +27,7 @@ struct EffectSignature {
 
 /// Signatures of these candidates, tested against `model` at its `fit`. A candidate with positive evidence has its
 /// estimated size, others a plausible size in the direction of the estimate.
-std::vector<EffectSignature> computeSignatures(const FittedModel& fitted, const CandidateTests& inquiry,
+std::vector<EffectSignature> computeSignatures(const FittedModel& fitted, const CandidateTests& candidateTests,
                                                const std::vector<std::size_t>& candidates);
 
 } // namespace naocal

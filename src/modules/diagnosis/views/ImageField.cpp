@@ -50,13 +50,13 @@ struct RepeatSums {
   };
   std::map<int, Corner> corners;
 
-  void add(const MotionFreeResidual& sighting, const Eigen::MatrixXd& freed) {
-    for (std::size_t i = 0; i < sighting.ids->size(); ++i) {
-      const double weight = sighting.errors->weight[eigenIndex(i)];
-      Corner& corner = corners[(*sighting.ids)[i]];
+  void add(const MotionFreeResidual& observation, const Eigen::MatrixXd& freed) {
+    for (std::size_t i = 0; i < observation.ids->size(); ++i) {
+      const double weight = observation.errors->weight[eigenIndex(i)];
+      Corner& corner = corners[(*observation.ids)[i]];
       corner.error += weight * freed.middleRows<2>(eigenIndex(2 * i));
       corner.weight += weight;
-      corner.share += weight * sighting.share;
+      corner.share += weight * observation.share;
     }
   }
 };
@@ -78,13 +78,13 @@ struct MeanSquares {
   }
 };
 
-/// `boards`: predictions of the sighting's picture.
+/// `boards`: predictions of the observation's picture.
 MotionFreeResidual removeMotions(const BoardResidual& errors, const ImageObservation& picture,
                                  const std::vector<PredictedBoard>& boards) {
-  const BoardObservation& sighting = picture.sightings[errors.sighting];
+  const BoardObservation& observation = picture.observations[errors.observation];
   MotionFreeResidual result{
-      .errors = &errors, .ids = &sighting.ids, .camera = picture.camera, .board = sighting.view.board()};
-  result.opticalFromBoard = boards[errors.sighting].opticalFromBoard.rotation;
+      .errors = &errors, .ids = &observation.ids, .camera = picture.camera, .board = observation.view.board()};
+  result.opticalFromBoard = boards[errors.observation].opticalFromBoard.rotation;
   result.weights = errors.weight.replicate(1, 2).transpose().reshaped();
   result.weighted = result.weights.asDiagonal() * errors.motionRows;
   result.motion.compute(errors.motionRows.transpose() * result.weighted);
@@ -102,7 +102,7 @@ MotionFreeResiduals::MotionFreeResiduals(const FittedModel& fitted) {
   using Repeats = std::array<std::size_t, 3>; // pose, camera, board
   std::map<Repeats, std::vector<std::size_t>> repeats;
   std::map<std::size_t, std::vector<PredictedBoard>> scenes; // by picture
-  for (const BoardResidual& errors : fitted.fit.sightings) {
+  for (const BoardResidual& errors : fitted.fit.residuals) {
     if (errors.residual.allFinite() && (errors.weight.array() > counts).count() >= leastCorners) {
       const ImageObservation& picture = fitted.measurements.pictures[errors.picture];
       const auto [boards, fresh] = scenes.try_emplace(errors.picture);
@@ -130,13 +130,13 @@ FieldFit MotionFreeResiduals::fitField(Eigen::Index count, double plausible,
   Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(count, count);
   Eigen::VectorXd gradient = Eigen::VectorXd::Zero(count);
   std::map<std::size_t, RepeatSums> repeats;
-  for (const MotionFreeResidual& sighting : sightings_) {
-    if (chosen(sighting)) {
-      const Eigen::MatrixXd own = columns(sighting), weighted = sighting.weights.asDiagonal() * own;
-      const Eigen::MatrixXd left = sighting.removeMotion(sighting.errors->residual.reshaped());
-      gram += sighting.share * weighted.transpose() * sighting.removeMotion(own);
-      gradient += sighting.share * weighted.transpose() * left;
-      repeats[sighting.repeats].add(sighting, left);
+  for (const MotionFreeResidual& observation : sightings_) {
+    if (chosen(observation)) {
+      const Eigen::MatrixXd own = columns(observation), weighted = observation.weights.asDiagonal() * own;
+      const Eigen::MatrixXd left = observation.removeMotion(observation.errors->residual.reshaped());
+      gram += observation.share * weighted.transpose() * observation.removeMotion(own);
+      gradient += observation.share * weighted.transpose() * left;
+      repeats[observation.repeats].add(observation, left);
     }
   }
   MeanSquares all;
@@ -186,9 +186,10 @@ constexpr double plausibleLens = 1;      // of a polynomial coefficient, at the 
 
 /// Position of a corner in the picture, about -1 to 1: (u, v) - (cx, cy), in units of cx. Uses the prediction, since
 /// measured positions share the noise of the errors to explain.
-Eigen::Vector2d cornerPlace(const Measurements& measurements, const MotionFreeResidual& sighting, Eigen::Index corner) {
-  const auto lens = measurements.pictures[sighting.errors->picture].nominal.lens();
-  return (sighting.errors->predicted.col(corner) - lens.segment<2>(2)) / lens[2];
+Eigen::Vector2d cornerPlace(const Measurements& measurements, const MotionFreeResidual& observation,
+                            Eigen::Index corner) {
+  const auto lens = measurements.pictures[observation.errors->picture].nominal.lens();
+  return (observation.errors->predicted.col(corner) - lens.segment<2>(2)) / lens[2];
 }
 
 } // namespace
@@ -197,11 +198,11 @@ ImageField fitCornerField(const MotionFreeResiduals& errors, const Measurements&
   const Eigen::Index count = 3 * eigenIndex(measurements.targets[board].board.points.size());
   return {ImageField::Of::corners, board,
           errors.fitField(
-              count, plausibleShape, [&](const MotionFreeResidual& sighting) { return sighting.board == board; },
-              [&](const MotionFreeResidual& sighting) {
-                Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(sighting.errors->motionRows.rows(), count);
-                for (std::size_t i = 0; i < sighting.ids->size(); ++i) {
-                  columns.block<2, 3>(eigenIndex(2 * i), 3 * (*sighting.ids)[i]) = sighting.cornerJacobian(i);
+              count, plausibleShape, [&](const MotionFreeResidual& observation) { return observation.board == board; },
+              [&](const MotionFreeResidual& observation) {
+                Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(observation.errors->motionRows.rows(), count);
+                for (std::size_t i = 0; i < observation.ids->size(); ++i) {
+                  columns.block<2, 3>(eigenIndex(2 * i), 3 * (*observation.ids)[i]) = observation.cornerJacobian(i);
                 }
                 return columns;
               })};
@@ -212,12 +213,13 @@ ImageField fitSheetField(const MotionFreeResiduals& errors, const Measurements& 
   const Eigen::Index terms = sheet.basis(0).size();
   return {ImageField::Of::sheet, board,
           errors.fitField(
-              3 * terms, plausibleShape, [&](const MotionFreeResidual& sighting) { return sighting.board == board; },
-              [&](const MotionFreeResidual& sighting) {
-                Eigen::MatrixXd columns(sighting.errors->motionRows.rows(), 3 * terms);
-                for (std::size_t i = 0; i < sighting.ids->size(); ++i) {
-                  const Eigen::RowVectorXd basis = sheet.basis(static_cast<std::size_t>((*sighting.ids)[i]));
-                  const Eigen::Matrix<double, 2, 3> byCorner = sighting.cornerJacobian(i);
+              3 * terms, plausibleShape,
+              [&](const MotionFreeResidual& observation) { return observation.board == board; },
+              [&](const MotionFreeResidual& observation) {
+                Eigen::MatrixXd columns(observation.errors->motionRows.rows(), 3 * terms);
+                for (std::size_t i = 0; i < observation.ids->size(); ++i) {
+                  const Eigen::RowVectorXd basis = sheet.basis(static_cast<std::size_t>((*observation.ids)[i]));
+                  const Eigen::Matrix<double, 2, 3> byCorner = observation.cornerJacobian(i);
                   for (Eigen::Index axis = 0; axis < 3; ++axis) {
                     columns.block(eigenIndex(2 * i), axis * terms, 2, terms) = byCorner.col(axis) * basis;
                   }
@@ -230,12 +232,13 @@ ImageField fitCameraField(const MotionFreeResiduals& errors, const Measurements&
   const Eigen::Index terms = monomials({0, 0}, lensDegree).size();
   return {ImageField::Of::camera, camera,
           errors.fitField(
-              2 * terms, plausibleLens, [&](const MotionFreeResidual& sighting) { return sighting.camera == camera; },
-              [&](const MotionFreeResidual& sighting) {
-                const Eigen::Index corners = sighting.errors->residual.cols();
+              2 * terms, plausibleLens,
+              [&](const MotionFreeResidual& observation) { return observation.camera == camera; },
+              [&](const MotionFreeResidual& observation) {
+                const Eigen::Index corners = observation.errors->residual.cols();
                 Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(2 * corners, 2 * terms);
                 for (Eigen::Index i = 0; i < corners; ++i) {
-                  columns.block(2 * i, 0, 1, terms) = monomials(cornerPlace(measurements, sighting, i), lensDegree);
+                  columns.block(2 * i, 0, 1, terms) = monomials(cornerPlace(measurements, observation, i), lensDegree);
                   columns.block(2 * i + 1, terms, 1, terms) = columns.block(2 * i, 0, 1, terms);
                 }
                 return columns;

@@ -69,12 +69,12 @@ class MotionFreeResiduals {
 public:
   MotionFreeResiduals(const FittedModel& fitted);
 
-  /// Fits `count` coefficients to the `chosen` sightings; `columns`: d(predicted) by the coefficients, two rows per
+  /// Fits `count` coefficients to the `chosen` observations; `columns`: d(predicted) by the coefficients, two rows per
   /// corner. With too few measurements the result is undetermined (bayes 0, pValue 1).
   FieldFit fitField(Eigen::Index count, double plausible, const std::function<bool(const MotionFreeResidual&)>& chosen,
                     const std::function<Eigen::MatrixXd(const MotionFreeResidual&)>& columns) const;
 
-  const std::vector<MotionFreeResidual>& sightings() const { return sightings_; }
+  const std::vector<MotionFreeResidual>& observations() const { return sightings_; }
 
 private:
   std::vector<MotionFreeResidual> sightings_;

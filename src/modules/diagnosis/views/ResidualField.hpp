@@ -45,8 +45,8 @@ struct PredictedBoard {
   double distance() const { return opticalFromBoard.translation.norm(); }
 };
 
-/// For all sightings of a picture, in order.
+/// For all observations of a picture, in order.
 std::vector<PredictedBoard> predictBoards(const Measurements& measurements, const ImageObservation& picture,
-                                          const ModelState& belief);
+                                          const ModelState& modelState);
 
 } // namespace naocal

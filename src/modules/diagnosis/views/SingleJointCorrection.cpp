@@ -22,8 +22,8 @@ std::vector<std::size_t> findBentPictures(const PoseGroup& pose, std::size_t mot
 } // namespace
 
 std::vector<SingleJointCorrection> computeJointCorrections(const Measurements& measurements,
-                                                           const CandidateTests& inquiry) {
-  return computeJointCorrections(measurements, inquiry.poses(), inquiry.noise());
+                                                           const CandidateTests& candidateTests) {
+  return computeJointCorrections(measurements, candidateTests.poses(), candidateTests.noise());
 }
 
 std::vector<SingleJointCorrection> computeJointCorrections(const Measurements& measurements,

@@ -29,6 +29,6 @@ std::vector<SingleJointCorrection> computeJointCorrections(const Measurements& m
 
 /// At the fit of the candidate tests.
 std::vector<SingleJointCorrection> computeJointCorrections(const Measurements& measurements,
-                                                           const CandidateTests& inquiry);
+                                                           const CandidateTests& candidateTests);
 
 } // namespace naocal

@@ -42,7 +42,7 @@ std::vector<Value> cornerErrors(const CalibrationResult& fit, const std::vector<
   for (std::size_t i = 0; i < fit.withReportedAngles.size(); ++i) {
     const BoardResidual& seen = fit.withReportedAngles[i];
     for (Eigen::Index corner = 0; corner < seen.residual.cols(); ++corner) {
-      const double weight = fit.sightings[i].weight[corner]; // with deflections: only outliers lose weight
+      const double weight = fit.residuals[i].weight[corner]; // with deflections: only outliers lose weight
       const double y = -seen.residual(axis, corner);
       if (weight > 0 && std::isfinite(y)) {
         const Eigen::Vector2d place = seen.predicted.col(corner) + seen.residual.col(corner);

@@ -26,10 +26,10 @@ Effect axisTilt() {
           .place = EffectSite::joint,
           .unknowns = {{"alpha", "rad", 0.01}, {"beta", "rad", 0.01}},
           .linear = false,
-          .correct = [](ModelState& belief, const RobotSample&, std::size_t joint, std::span<const double> values) {
-            const Eigen::Vector3d axis = belief.axis(joint);
+          .correct = [](ModelState& modelState, const RobotSample&, std::size_t joint, std::span<const double> values) {
+            const Eigen::Vector3d axis = modelState.axis(joint);
             const auto [n1, n2] = tiltAxes(axis);
-            belief.axis(joint) = rotationAbout(values[0] * n1) * rotationAbout(values[1] * n2) * axis;
+            modelState.axis(joint) = rotationAbout(values[0] * n1) * rotationAbout(values[1] * n2) * axis;
           }};
 }
 

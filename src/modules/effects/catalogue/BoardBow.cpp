@@ -9,8 +9,8 @@ Effect boardBow() {
           .formula = "z = h * (1 - (r / r_max)^2)",
           .place = EffectSite::board,
           .unknowns = {{"h", "m", 0.003}},
-          .correct = [](ModelState& belief, const RobotSample&, std::size_t board, std::span<const double> values) {
-            belief.boardBow(board) += values[0];
+          .correct = [](ModelState& modelState, const RobotSample&, std::size_t board, std::span<const double> values) {
+            modelState.boardBow(board) += values[0];
           }};
 }
 

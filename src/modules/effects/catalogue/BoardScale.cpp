@@ -10,8 +10,8 @@ Effect boardScale() {
           .place = EffectSite::board,
           .unknowns = {{"s", "1", 0.01}},
           .shared = true,
-          .correct = [](ModelState& belief, const RobotSample&, std::size_t board, std::span<const double> values) {
-            belief.boardScale(board) += values[0];
+          .correct = [](ModelState& modelState, const RobotSample&, std::size_t board, std::span<const double> values) {
+            modelState.boardScale(board) += values[0];
           }};
 }
 

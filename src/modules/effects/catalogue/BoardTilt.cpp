@@ -9,8 +9,8 @@ Effect boardTilt() {
           .formula = "worldFromBoard = placement * Ry(pitch) * Rx(roll)",
           .place = EffectSite::board,
           .unknowns = {{"roll", "rad", 0.01}, {"pitch", "rad", 0.01}},
-          .correct = [](ModelState& belief, const RobotSample&, std::size_t board, std::span<const double> values) {
-            belief.boardPlacement(board).segment<2>(3) += Eigen::Vector2d{values[0], values[1]};
+          .correct = [](ModelState& modelState, const RobotSample&, std::size_t board, std::span<const double> values) {
+            modelState.boardPlacement(board).segment<2>(3) += Eigen::Vector2d{values[0], values[1]};
           }};
 }
 

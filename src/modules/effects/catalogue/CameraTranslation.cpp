@@ -9,8 +9,8 @@ Effect cameraTranslation() {
           .formula = "headFromCamera = T(x, y, z) * nominal",
           .place = EffectSite::camera,
           .unknowns = {{"x", "m", 0.005}, {"y", "m", 0.005}, {"z", "m", 0.005}},
-          .correct = [](ModelState& belief, const RobotSample&, std::size_t, std::span<const double> values) {
-            belief.mountTranslation() += Eigen::Vector3d{values[0], values[1], values[2]};
+          .correct = [](ModelState& modelState, const RobotSample&, std::size_t, std::span<const double> values) {
+            modelState.mountTranslation() += Eigen::Vector3d{values[0], values[1], values[2]};
           }};
 }
 

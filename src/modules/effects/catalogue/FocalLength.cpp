@@ -9,8 +9,8 @@ Effect focalLength() {
           .formula = "fx, fy -> fx (1 + s), fy (1 + s)",
           .place = EffectSite::camera,
           .unknowns = {{"s", "1", 0.03}},
-          .correct = [](ModelState& belief, const RobotSample&, std::size_t, std::span<const double> values) {
-            belief.lens().head<2>() *= 1 + values[0];
+          .correct = [](ModelState& modelState, const RobotSample&, std::size_t, std::span<const double> values) {
+            modelState.lens().head<2>() *= 1 + values[0];
           }};
 }
 

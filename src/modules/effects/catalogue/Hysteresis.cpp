@@ -4,17 +4,17 @@ namespace naocal {
 
 /// The output lags the last motion by half the gap (thesis equation 3.1).
 Effect hysteresis() {
-  return {
-      .name = "hysteresis",
-      .what = "the gear's gap: the joint lags behind its last motion",
-      .formula = "-(D/2) * approach",
-      .place = EffectSite::motor,
-      .unknowns = {{"D", "rad", 0.01}},
-      .needs = {Driver::approach},
-      .kink = true,
-      .correct = [](ModelState& belief, const RobotSample& instant, std::size_t joint, std::span<const double> values) {
-        belief.angle(joint) -= values[0] / 2 * instant.approach[static_cast<Eigen::Index>(joint)];
-      }};
+  return {.name = effectName::hysteresis,
+          .what = "the gear's gap: the joint lags behind its last motion",
+          .formula = "-(D/2) * approach",
+          .place = EffectSite::motor,
+          .unknowns = {{"D", "rad", 0.01}},
+          .needs = {Driver::approach},
+          .kink = true,
+          .correct = [](ModelState& modelState, const RobotSample& instant, std::size_t joint,
+                        std::span<const double> values) {
+            modelState.angle(joint) -= values[0] / 2 * instant.approach[static_cast<Eigen::Index>(joint)];
+          }};
 }
 
 } // namespace naocal

@@ -11,8 +11,8 @@ Effect imuTilt() {
           .place = EffectSite::all,
           .unknowns = {{"roll", "rad", 0.03}, {"pitch", "rad", 0.03}},
           .needs = {Driver::imu},
-          .correct = [](ModelState& belief, const RobotSample&, std::size_t, std::span<const double> values) {
-            belief.imuTilt() += Eigen::Vector2d{values[0], values[1]};
+          .correct = [](ModelState& modelState, const RobotSample&, std::size_t, std::span<const double> values) {
+            modelState.imuTilt() += Eigen::Vector2d{values[0], values[1]};
           }};
 }
 

@@ -9,9 +9,8 @@ Effect linkLength() {
           .formula = "length + dL",
           .place = EffectSite::length,
           .unknowns = {{"dL", "m", 0.002}},
-          .correct = [](ModelState& belief, const RobotSample&, std::size_t length, std::span<const double> values) {
-            belief.length(length) += values[0];
-          }};
+          .correct = [](ModelState& modelState, const RobotSample&, std::size_t length,
+                        std::span<const double> values) { modelState.length(length) += values[0]; }};
 }
 
 } // namespace naocal

@@ -9,8 +9,8 @@ Effect principalPoint() {
           .formula = "cx, cy -> cx + x, cy + y",
           .place = EffectSite::camera,
           .unknowns = {{"x", "px", 20}, {"y", "px", 20}},
-          .correct = [](ModelState& belief, const RobotSample&, std::size_t, std::span<const double> values) {
-            belief.lens().segment<2>(2) += Eigen::Vector2d{values[0], values[1]};
+          .correct = [](ModelState& modelState, const RobotSample&, std::size_t, std::span<const double> values) {
+            modelState.lens().segment<2>(2) += Eigen::Vector2d{values[0], values[1]};
           }};
 }
 

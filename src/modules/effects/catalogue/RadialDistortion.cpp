@@ -9,8 +9,8 @@ Effect radialDistortion() {
           .formula = "k1, k2 -> k1 + k1', k2 + k2'",
           .place = EffectSite::camera,
           .unknowns = {{"k1", "1", 0.1}, {"k2", "1", 0.2}},
-          .correct = [](ModelState& belief, const RobotSample&, std::size_t, std::span<const double> values) {
-            belief.lens().segment<2>(4) += Eigen::Vector2d{values[0], values[1]};
+          .correct = [](ModelState& modelState, const RobotSample&, std::size_t, std::span<const double> values) {
+            modelState.lens().segment<2>(4) += Eigen::Vector2d{values[0], values[1]};
           }};
 }
 

@@ -11,8 +11,8 @@ Effect rollingShutter() {
           .place = EffectSite::camera,
           .unknowns = {{"s", "s/row", 6e-5}},
           .needs = {Driver::velocity},
-          .correct = [](ModelState& belief, const RobotSample&, std::size_t, std::span<const double> values) {
-            belief.rowTime() += values[0];
+          .correct = [](ModelState& modelState, const RobotSample&, std::size_t, std::span<const double> values) {
+            modelState.rowTime() += values[0];
           }};
 }
 

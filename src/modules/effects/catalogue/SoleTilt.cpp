@@ -10,8 +10,8 @@ Effect soleTilt() {
           .formula = "worldFromSole = placement * Ry(pitch) * Rx(roll)",
           .place = EffectSite::sole,
           .unknowns = {{"roll", "rad", 0.02}, {"pitch", "rad", 0.02}},
-          .correct = [](ModelState& belief, const RobotSample&, std::size_t, std::span<const double> values) {
-            belief.worldFromSupport().segment<2>(3) += Eigen::Vector2d{values[0], values[1]};
+          .correct = [](ModelState& modelState, const RobotSample&, std::size_t, std::span<const double> values) {
+            modelState.worldFromSupport().segment<2>(3) += Eigen::Vector2d{values[0], values[1]};
           }};
 }
 

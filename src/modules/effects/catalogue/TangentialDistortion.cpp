@@ -9,8 +9,8 @@ Effect tangentialDistortion() {
           .formula = "p1, p2 -> p1 + p1', p2 + p2'",
           .place = EffectSite::camera,
           .unknowns = {{"p1", "1", 0.01}, {"p2", "1", 0.01}},
-          .correct = [](ModelState& belief, const RobotSample&, std::size_t, std::span<const double> values) {
-            belief.lens().segment<2>(6) += Eigen::Vector2d{values[0], values[1]};
+          .correct = [](ModelState& modelState, const RobotSample&, std::size_t, std::span<const double> values) {
+            modelState.lens().segment<2>(6) += Eigen::Vector2d{values[0], values[1]};
           }};
 }
 

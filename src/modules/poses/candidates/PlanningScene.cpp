@@ -56,15 +56,15 @@ PlanningScene::PlanningScene(const Robot& robot, SupportFoot foot, const std::ve
   }
 }
 
-PlanningScene::Projection PlanningScene::projection(const Outlook& outlook, ModelState& belief,
+PlanningScene::Projection PlanningScene::projection(const Outlook& outlook, ModelState& modelState,
                                                     const LinkPoses& torsoFromLink) const {
   const CameraIntrinsics& lens = outlook.lens;
   const Board& board = boards_[outlook.view.board()];
-  belief.lens() << lens.fx, lens.fy, lens.cx, lens.cy,
+  modelState.lens() << lens.fx, lens.fy, lens.cx, lens.cy,
       Eigen::Map<const Eigen::Matrix<double, 5, 1>>(lens.distortion.data());
   Projection result;
-  result.attitude = outlook.view.cameraFrames(robot_, belief, torsoFromLink);
-  if (!outlook.view.project(result.attitude, belief, outlook.corners, result.corners)) {
+  result.attitude = outlook.view.cameraFrames(robot_, modelState, torsoFromLink);
+  if (!outlook.view.project(result.attitude, modelState, outlook.corners, result.corners)) {
     return result; // partly behind the camera: too close to be useful
   }
   const Eigen::Vector3d cameraInBoard = result.attitude.opticalFromBoard.inverse().translation;
@@ -100,9 +100,10 @@ std::vector<std::size_t> PlanningScene::joints() const {
   return {motors.begin(), motors.end()};
 }
 
-std::vector<VisibleBoard> PlanningScene::visibleBoards(const ModelState& belief, const LinkPoses& torsoFromLink) const {
+std::vector<VisibleBoard> PlanningScene::visibleBoards(const ModelState& modelState,
+                                                       const LinkPoses& torsoFromLink) const {
   std::vector<VisibleBoard> sights;
-  ModelState own = belief; // `projection` writes each camera's intrinsics into it
+  ModelState own = modelState; // `projection` writes each camera's intrinsics into it
   for (const Outlook& outlook : outlooks_) {
     Projection seen = projection(outlook, own, torsoFromLink);
     if (!seen.seen.empty()) {
@@ -130,12 +131,12 @@ Eigen::Matrix<double, 6, 6> ofMotion(const ProjectedBlocks& corners, const std::
 
 } // namespace
 
-Eigen::MatrixXd PlanningScene::information(const ModelState& belief, const LinkPoses& torsoFromLink,
+Eigen::MatrixXd PlanningScene::information(const ModelState& modelState, const LinkPoses& torsoFromLink,
                                            double pixel) const {
   const std::size_t mounts = robot_.joints.size(), boards = mounts + 3 * robot_.cameras.size();
   const auto size = eigenIndex(boards + 3 * boards_.size());
   Eigen::MatrixXd information = Eigen::MatrixXd::Zero(size, size);
-  ModelState own = belief;
+  ModelState own = modelState;
   for (const Outlook& outlook : outlooks_) {
     const Projection seen = projection(outlook, own, torsoFromLink);
     if (seen.seen.empty()) {
@@ -165,21 +166,21 @@ Eigen::MatrixXd PlanningScene::information(const ModelState& belief, const LinkP
     }
   }
   if (otherSole_) {
-    addFloorContact(belief, torsoFromLink, information);
+    addFloorContact(modelState, torsoFromLink, information);
   }
   return information;
 }
 
-void PlanningScene::addFloorContact(const ModelState& belief, const LinkPoses& torsoFromLink,
+void PlanningScene::addFloorContact(const ModelState& modelState, const LinkPoses& torsoFromLink,
                                     Eigen::MatrixXd& information) const {
-  const CameraFrames attitude = otherSole_->pathFrames(robot_, belief, torsoFromLink);
+  const CameraFrames attitude = otherSole_->pathFrames(robot_, modelState, torsoFromLink);
   const std::vector<std::size_t>& joints = otherSole_->joints();
   std::vector<std::size_t> quantities;
   for (const std::size_t joint : joints) {
     quantities.push_back(quantities_.angle(joint));
   }
   Eigen::MatrixXd motion(6, eigenIndex(joints.size()));
-  otherSole_->fillMotionColumns(robot_, attitude, belief, torsoFromLink, quantities, {}, motion);
+  otherSole_->fillMotionColumns(robot_, attitude, modelState, torsoFromLink, quantities, {}, motion);
   const Eigen::MatrixXd slopes = floorContactJacobian(attitude.opticalFromWorld.rotation.col(2)) * motion;
   const Eigen::MatrixXd told = slopes.transpose() * slopes;
   for (std::size_t a = 0; a < joints.size(); ++a) {

@@ -40,13 +40,13 @@ public:
   /// Joints between the support sole and the cameras, as motors; on both feet also those of the other leg.
   std::vector<std::size_t> joints() const;
 
-  std::vector<VisibleBoard> visibleBoards(const ModelState& belief, const LinkPoses& torsoFromLink) const;
+  std::vector<VisibleBoard> visibleBoards(const ModelState& modelState, const LinkPoses& torsoFromLink) const;
 
   /// J^T R^-1 J over the visible corners, `pixel` being their noise, 1 sigma [px]: Fisher information of a pose's
   /// images about the unknowns: an offset per joint of the drawing (at its motor) [rad], three rotations per camera
   /// [rad], and x, y [m], yaw [rad] per board. On both feet it includes the contact of the right sole with the left
   /// one's floor (FloorContact).
-  Eigen::MatrixXd information(const ModelState& belief, const LinkPoses& torsoFromLink, double pixel = 1) const;
+  Eigen::MatrixXd information(const ModelState& modelState, const LinkPoses& torsoFromLink, double pixel = 1) const;
 
   /// Prior information: 1 / sigma^2 on the diagonal.
   Eigen::MatrixXd priorInformation() const;
@@ -66,9 +66,10 @@ private:
     ProjectedBlocks corners;
     std::vector<int> seen; // ids
   };
-  Projection projection(const Outlook& outlook, ModelState& belief, const LinkPoses& torsoFromLink) const;
+  Projection projection(const Outlook& outlook, ModelState& modelState, const LinkPoses& torsoFromLink) const;
 
-  void addFloorContact(const ModelState& belief, const LinkPoses& torsoFromLink, Eigen::MatrixXd& information) const;
+  void addFloorContact(const ModelState& modelState, const LinkPoses& torsoFromLink,
+                       Eigen::MatrixXd& information) const;
 
   const Robot& robot_;
   VisibilityLimits limits_;

@@ -64,9 +64,10 @@ std::vector<Eigen::MatrixXd> computeInformation(const Robot& robot, const Planni
   std::vector<Eigen::MatrixXd> result(poses.size());
   parallelFor(poses.size(), [&](std::size_t i) {
     const auto joints = static_cast<Eigen::Index>(robot.joints.size());
-    ModelState belief = scene.nominalState(); // the boards may have moved since the pose was sampled
-    belief.values.head(joints) = poses[i].belief.values.head(joints);
-    result[i] = whitenColumns(scene.information(belief, forwardKinematics(robot, belief), noise.pixel), joints, noise);
+    ModelState modelState = scene.nominalState(); // the boards may have moved since the pose was sampled
+    modelState.values.head(joints) = poses[i].modelState.values.head(joints);
+    result[i] =
+        whitenColumns(scene.information(modelState, forwardKinematics(robot, modelState), noise.pixel), joints, noise);
   });
   return result;
 }
@@ -78,7 +79,7 @@ std::vector<ModelState> sampleStableStates(const Robot& robot, const PlanningSce
   PassCounts sieve;
   for (std::size_t tried = 0; tried < options.maxAttempts && found.size() < count; ++tried) {
     if (const auto attitude = attitudes.draw(sieve)) {
-      found.push_back(attitude->belief);
+      found.push_back(attitude->modelState);
     }
   }
   return found;
@@ -95,14 +96,14 @@ std::vector<PlannedPose> planInformativePoses(const Robot& robot, const std::vec
                                  options.count, found.size(), options.maxAttempts)};
   }
   std::vector<Eigen::MatrixXd> informations;
-  for (const ModelState& belief : found) {
-    informations.push_back(scene.information(belief, forwardKinematics(robot, belief)));
+  for (const ModelState& modelState : found) {
+    informations.push_back(scene.information(modelState, forwardKinematics(robot, modelState)));
   }
   std::vector<PlannedPose> poses;
   for (const std::size_t chosen : selectDOptimal(scene.priorInformation(), informations, options.count)) {
-    const ModelState& belief = found[chosen];
-    poses.push_back({options.supportFoot, belief.values.head(static_cast<Eigen::Index>(robot.joints.size())),
-                     scene.visibleBoards(belief, forwardKinematics(robot, belief))});
+    const ModelState& modelState = found[chosen];
+    poses.push_back({options.supportFoot, modelState.values.head(static_cast<Eigen::Index>(robot.joints.size())),
+                     scene.visibleBoards(modelState, forwardKinematics(robot, modelState))});
   }
   return poses;
 }
@@ -151,33 +152,33 @@ std::optional<ValidPose> PoseSampler::sampleAt(const std::vector<double>& point,
 std::optional<ModelState> PoseSampler::stateAt(const std::vector<double>& point) {
   point_ = point;
   used_ = 0;
-  ModelState belief = hanging_;
+  ModelState modelState = hanging_;
   const auto draw = [&](const Interval& interval) { return from(interval); };
-  if (!legs_.reachStance(belief, draw) || !checks_.isWithinLimits(belief, legs_.joints())) {
+  if (!legs_.reachStance(modelState, draw) || !checks_.isWithinLimits(modelState, legs_.joints())) {
     return std::nullopt;
   }
-  turnHead(belief, draw);
-  return belief;
+  turnHead(modelState, draw);
+  return modelState;
 }
 
 std::optional<ValidPose> PoseSampler::attempt(int glances, PassCounts& sieve) {
   ++sieve.generated;
-  const auto belief = stateAt(point_);
-  if (!belief) {
+  const auto modelState = stateAt(point_);
+  if (!modelState) {
     return std::nullopt;
   }
   ++sieve.reachable;
-  const LinkPoses torsoFromLink = forwardKinematics(robot_, *belief);
+  const LinkPoses torsoFromLink = forwardKinematics(robot_, *modelState);
   if (checks_.selfCollides(torsoFromLink)) {
     return std::nullopt;
   }
   ++sieve.collisionFree;
-  const auto share = checks_.balancedFraction(*belief, torsoFromLink, random_);
+  const auto share = checks_.balancedFraction(*modelState, torsoFromLink, random_);
   if (!share) {
     return std::nullopt;
   }
   ++sieve.stable;
-  ValidPose result{*belief, point_, *share};
+  ValidPose result{*modelState, point_, *share};
   if (!lookAround(result, glances)) {
     return std::nullopt;
   }
@@ -185,35 +186,35 @@ std::optional<ValidPose> PoseSampler::attempt(int glances, PassCounts& sieve) {
   for (std::size_t i = 0; i < head_.size(); ++i) {
     const AngleRange& limits = robot_.joints[head_[i]].limits;
     result.point[legs_.dimension() + i] =
-        (result.belief.angle(head_[i]) - limits.lower) / (limits.upper - limits.lower);
+        (result.modelState.angle(head_[i]) - limits.lower) / (limits.upper - limits.lower);
   }
   return result;
 }
 
-void PoseSampler::turnHead(ModelState& belief, const NumberSource& draw) const {
+void PoseSampler::turnHead(ModelState& modelState, const NumberSource& draw) const {
   for (const std::size_t joint : head_) {
-    belief.angle(joint) = draw({robot_.joints[joint].limits.lower, robot_.joints[joint].limits.upper});
+    modelState.angle(joint) = draw({robot_.joints[joint].limits.lower, robot_.joints[joint].limits.upper});
   }
 }
 
 bool PoseSampler::lookAround(ValidPose& attitude, int glances) {
-  ModelState& belief = attitude.belief;
+  ModelState& modelState = attitude.modelState;
   for (int glance = 0; glance < glances; ++glance) {
     if (glance > 0) {
-      turnHead(belief, [&](const Interval& interval) {
+      turnHead(modelState, [&](const Interval& interval) {
         return std::uniform_real_distribution{interval.lower, interval.upper}(random_);
       });
     }
-    if (!checks_.isWithinLimits(belief, head_)) {
+    if (!checks_.isWithinLimits(modelState, head_)) {
       continue;
     }
-    const LinkPoses torsoFromLink = forwardKinematics(robot_, belief);
-    if (scene_.visibleBoards(belief, torsoFromLink).empty()) {
+    const LinkPoses torsoFromLink = forwardKinematics(robot_, modelState);
+    if (scene_.visibleBoards(modelState, torsoFromLink).empty()) {
       continue;
     }
     const auto share = checks_.selfCollides(torsoFromLink) ? std::nullopt
                        : glance == 0                       ? std::optional{attitude.standing}
-                                                           : checks_.balancedFraction(belief, torsoFromLink, random_);
+                                     : checks_.balancedFraction(modelState, torsoFromLink, random_);
     attitude.standing = share.value_or(0);
     return share.has_value();
   }
@@ -241,7 +242,7 @@ std::vector<Eigen::VectorXd> drawPerturbedRobots(const Robot& robot, const PoseO
 
 std::vector<ValidPose> applyErrors(const Eigen::VectorXd& errors, std::vector<ValidPose> poses) {
   for (ValidPose& pose : poses) {
-    pose.belief.values.head(errors.size()) += errors;
+    pose.modelState.values.head(errors.size()) += errors;
   }
   return poses;
 }

@@ -15,7 +15,7 @@ namespace naocal {
 
 /// A valid standing pose.
 struct ValidPose {
-  ModelState belief;
+  ModelState modelState;
   std::vector<double> point; // coordinates in the sampling ranges, each in [0, 1]
   double standing = 0;       // fraction of robots with joint errors that stay balanced
   Eigen::VectorXd approach;  // per joint as in ProposedPose; empty: any
@@ -41,7 +41,7 @@ private:
   /// Turns the head, first as sampled, then at random up to `glances` - 1 times, until a board is visible and the robot
   /// is stable.
   bool lookAround(ValidPose& attitude, int glances);
-  void turnHead(ModelState& belief, const NumberSource& draw) const;
+  void turnHead(ModelState& modelState, const NumberSource& draw) const;
 
   double from(const Interval& interval); // scales the next coordinate to the interval
 

@@ -20,21 +20,21 @@ SingleSupport::SingleSupport(const Robot& robot, SupportFoot supportFoot)
       otherLeg_{robot, otherSole(robot, supportFoot).name}, middle_{naocal::vertexMean(
                                                                 supportSole(robot, supportFoot).outline)} {}
 
-bool SingleSupport::reachStance(ModelState& belief, RigidTransform soleFromTorso, const RigidTransform& soleFromOther,
-                                const Eigen::Vector2d& centre) const {
+bool SingleSupport::reachStance(ModelState& modelState, RigidTransform soleFromTorso,
+                                const RigidTransform& soleFromOther, const Eigen::Vector2d& centre) const {
   soleFromTorso.translation.head<2>() = centre;
   constexpr int rounds = 3; // converges quickly
   for (int round = 0; round < rounds; ++round) {
-    if (!bendLegs(belief, soleFromTorso, soleFromOther)) {
+    if (!bendLegs(modelState, soleFromTorso, soleFromOther)) {
       return false;
     }
-    const Eigen::Vector3d reached = soleFromTorso * centreOfMass(robot_, forwardKinematics(robot_, belief)).inTorso;
+    const Eigen::Vector3d reached = soleFromTorso * centreOfMass(robot_, forwardKinematics(robot_, modelState)).inTorso;
     soleFromTorso.translation.head<2>() += centre - reached.head<2>();
   }
-  return bendLegs(belief, soleFromTorso, soleFromOther);
+  return bendLegs(modelState, soleFromTorso, soleFromOther);
 }
 
-bool SingleSupport::bendLegs(ModelState& belief, const RigidTransform& soleFromTorso,
+bool SingleSupport::bendLegs(ModelState& modelState, const RigidTransform& soleFromTorso,
                              const RigidTransform& soleFromOther) const {
   const RigidTransform torsoFromSole = soleFromTorso.inverse();
   const auto support = supportLeg_.solveAngles(torsoFromSole);
@@ -43,8 +43,8 @@ bool SingleSupport::bendLegs(ModelState& belief, const RigidTransform& soleFromT
     return false;
   }
   for (std::size_t i = 0; i < support->size(); ++i) {
-    belief.angle(supportLeg_.joints()[i]) = (*support)[i];
-    belief.angle(otherLeg_.joints()[i]) = (*other)[i];
+    modelState.angle(supportLeg_.joints()[i]) = (*support)[i];
+    modelState.angle(otherLeg_.joints()[i]) = (*other)[i];
   }
   return true;
 }
@@ -75,19 +75,19 @@ std::vector<Eigen::VectorXd> planOntoOneFoot(const Robot& robot, SupportFoot sup
   const SingleSupport feet{robot, supportFoot};
   const double inwards = supportFoot == SupportFoot::left ? -1 : 1;
   const Eigen::Vector2d over{forwards, feet.outlineCentre().y()}, between{forwards, inwards * footDistance / 2};
-  ModelState belief = nominalState(robot, StateLayout{robot.joints.size(), robot.lengths.size(), 0});
-  belief.values.head(stand.size()) = stand;
+  ModelState modelState = nominalState(robot, StateLayout{robot.joints.size(), robot.lengths.size(), 0});
+  modelState.values.head(stand.size()) = stand;
   std::vector<Eigen::VectorXd> way;
   for (const Point& point : points) {
     RigidTransform soleFromTorso, soleFromOther;
     soleFromTorso.rotation = rotationY(point.pitch) * rotationX(inwards * point.roll);
     soleFromTorso.translation.z() = point.height;
     soleFromOther.translation << 0, inwards * footDistance, point.lift;
-    if (!feet.reachStance(belief, soleFromTorso, soleFromOther, between + point.shift * (over - between))) {
+    if (!feet.reachStance(modelState, soleFromTorso, soleFromOther, between + point.shift * (over - between))) {
       throw InputError{fmt::format("the legs of the {} do not reach from its stand onto its {} foot", robot.model,
                                    supportFoot == SupportFoot::left ? "left" : "right")};
     }
-    way.push_back(belief.values.head(stand.size()));
+    way.push_back(modelState.values.head(stand.size()));
   }
   return way;
 }
@@ -114,16 +114,16 @@ std::optional<std::vector<Eigen::VectorXd>> interpolateOnOneFoot(const Robot& ro
         (1 - share) * a.translation + share * b.translation};
   };
   std::vector<Eigen::VectorXd> via;
-  ModelState belief = nominalState(robot, StateLayout{robot.joints.size(), robot.lengths.size(), 0});
+  ModelState modelState = nominalState(robot, StateLayout{robot.joints.size(), robot.lengths.size(), 0});
   for (int i = 1; i < parts; ++i) {
     const double share = static_cast<double>(i) / parts;
-    belief.values.head(from.size()) = (1 - share) * from + share * to;
-    if (!feet.reachStance(belief, blend(one.soleFromTorso, two.soleFromTorso, share),
+    modelState.values.head(from.size()) = (1 - share) * from + share * to;
+    if (!feet.reachStance(modelState, blend(one.soleFromTorso, two.soleFromTorso, share),
                           blend(one.soleFromOther, two.soleFromOther, share),
                           ((1 - share) * one.centre + share * two.centre).head<2>())) {
       return std::nullopt;
     }
-    via.push_back(belief.values.head(from.size()));
+    via.push_back(modelState.values.head(from.size()));
   }
   return via;
 }
@@ -139,11 +139,11 @@ std::size_t StanceSampler::dimension() const {
   return options_.supportFoot == SupportFoot::both ? 8 : 11;
 }
 
-bool StanceSampler::reachStance(ModelState& belief, const NumberSource& draw) const {
-  return options_.supportFoot == SupportFoot::both ? bendOnBoth(belief, draw) : bendOnOne(belief, draw);
+bool StanceSampler::reachStance(ModelState& modelState, const NumberSource& draw) const {
+  return options_.supportFoot == SupportFoot::both ? bendOnBoth(modelState, draw) : bendOnOne(modelState, draw);
 }
 
-bool StanceSampler::bendOnOne(ModelState& belief, const NumberSource& draw) const {
+bool StanceSampler::bendOnOne(ModelState& modelState, const NumberSource& draw) const {
   const double outwards = options_.supportFoot == SupportFoot::left ? 1 : -1; // sign of the support foot's outer side
   RigidTransform soleFromTorso;
   soleFromTorso.rotation = rotationZ(draw(options_.yaw)) * rotationY(draw(options_.pitch));
@@ -158,12 +158,12 @@ bool StanceSampler::bendOnOne(ModelState& belief, const NumberSource& draw) cons
   wanted.x() += draw(options_.centreForwards);
   wanted.y() += outwards * draw(options_.centreOutwards);
   soleFromTorso.translation.z() = draw(options_.height);
-  return feet_.reachStance(belief, soleFromTorso, soleFromOther, wanted);
+  return feet_.reachStance(modelState, soleFromTorso, soleFromOther, wanted);
 }
 
 /// One motor turns both hips, in opposite directions: solves for the torso yaw at which both legs need the same hip
 /// angle, by the secant method.
-bool StanceSampler::bendOnBoth(ModelState& belief, const NumberSource& draw) const {
+bool StanceSampler::bendOnBoth(ModelState& modelState, const NumberSource& draw) const {
   const DoubleSupportRanges& beside = options_.beside;
   RigidTransform soleFromOther;
   soleFromOther.translation.x() = draw(beside.forwards);
@@ -192,12 +192,12 @@ bool StanceSampler::bendOnBoth(ModelState& belief, const NumberSource& draw) con
     if (!support || !other) {
       return false;
     }
-    set(belief, *support, *other);
+    set(modelState, *support, *other);
     const double gap = wrapAngle(other->front() - support->front());
     if (round < leaning) {
-      lean(belief, wanted, soleFromTorso);
+      lean(modelState, wanted, soleFromTorso);
     } else if (std::abs(gap) < alike) {
-      belief.angle(feet_.otherLeg().joints().front()) = support->front();
+      modelState.angle(feet_.otherLeg().joints().front()) = support->front();
       return true;
     } else if (round > leaning) {
       slope = (gap - lastGap) / (yaw - lastYaw);
@@ -209,15 +209,16 @@ bool StanceSampler::bendOnBoth(ModelState& belief, const NumberSource& draw) con
   return false;
 }
 
-void StanceSampler::set(ModelState& belief, const LegAngles& support, const LegAngles& other) const {
+void StanceSampler::set(ModelState& modelState, const LegAngles& support, const LegAngles& other) const {
   for (std::size_t i = 0; i < support.size(); ++i) {
-    belief.angle(feet_.supportLeg().joints()[i]) = support[i];
-    belief.angle(feet_.otherLeg().joints()[i]) = other[i];
+    modelState.angle(feet_.supportLeg().joints()[i]) = support[i];
+    modelState.angle(feet_.otherLeg().joints()[i]) = other[i];
   }
 }
 
-void StanceSampler::lean(const ModelState& belief, const Eigen::Vector2d& wanted, RigidTransform& soleFromTorso) const {
-  const Eigen::Vector3d centre = soleFromTorso * centreOfMass(robot_, forwardKinematics(robot_, belief)).inTorso;
+void StanceSampler::lean(const ModelState& modelState, const Eigen::Vector2d& wanted,
+                         RigidTransform& soleFromTorso) const {
+  const Eigen::Vector3d centre = soleFromTorso * centreOfMass(robot_, forwardKinematics(robot_, modelState)).inTorso;
   soleFromTorso.translation.head<2>() += wanted - centre.head<2>();
 }
 

@@ -18,7 +18,7 @@ public:
 
   /// Solves both legs so that torso and other sole have the given rotations, the torso the given height, and the centre
   /// of mass lies above `centre` in the support sole's frame [m]; the torso's x and y follow. False if out of reach.
-  bool reachStance(ModelState& belief, RigidTransform soleFromTorso, const RigidTransform& soleFromOther,
+  bool reachStance(ModelState& modelState, RigidTransform soleFromTorso, const RigidTransform& soleFromOther,
                    const Eigen::Vector2d& centre) const;
 
   const LegKinematics& supportLeg() const { return supportLeg_; }
@@ -27,7 +27,7 @@ public:
   const Eigen::Vector2d& outlineCentre() const { return middle_; }
 
 private:
-  bool bendLegs(ModelState& belief, const RigidTransform& soleFromTorso, const RigidTransform& soleFromOther) const;
+  bool bendLegs(ModelState& modelState, const RigidTransform& soleFromTorso, const RigidTransform& soleFromOther) const;
 
   const Robot& robot_;
   LegKinematics supportLeg_, otherLeg_;
@@ -64,14 +64,14 @@ public:
 
   /// Draws a torso pose above the support sole, then shifts it until the centre of mass is at its drawn position. False
   /// if out of reach; does not test joint limits.
-  bool reachStance(ModelState& belief, const NumberSource& draw) const;
+  bool reachStance(ModelState& modelState, const NumberSource& draw) const;
 
 private:
-  bool bendOnOne(ModelState& belief, const NumberSource& draw) const;
-  bool bendOnBoth(ModelState& belief, const NumberSource& draw) const;
-  void set(ModelState& belief, const LegAngles& support, const LegAngles& other) const;
+  bool bendOnOne(ModelState& modelState, const NumberSource& draw) const;
+  bool bendOnBoth(ModelState& modelState, const NumberSource& draw) const;
+  void set(ModelState& modelState, const LegAngles& support, const LegAngles& other) const;
   /// Shifts the torso so that the centre of mass lies above `wanted` in the support sole's frame.
-  void lean(const ModelState& belief, const Eigen::Vector2d& wanted, RigidTransform& soleFromTorso) const;
+  void lean(const ModelState& modelState, const Eigen::Vector2d& wanted, RigidTransform& soleFromTorso) const;
 
   const Robot& robot_;
   const PoseOptions& options_;

@@ -94,13 +94,13 @@ std::optional<double> TransitionCheck::duration(const Eigen::VectorXd& from, con
   if (isSliding(before, forwardKinematics(robot_, to))) {
     return std::nullopt;
   }
-  ModelState belief = nominalState(robot_, StateLayout{robot_.joints.size(), robot_.lengths.size(), 0});
+  ModelState modelState = nominalState(robot_, StateLayout{robot_.joints.size(), robot_.lengths.size(), 0});
   const int steps = std::max(1, static_cast<int>(std::ceil((to - from).cwiseAbs().maxCoeff() / motion_.step)));
   for (int i = 1; i < steps; ++i) {
-    belief.values.head(from.size()) = from + (to - from) * i / steps;
-    const LinkPoses torsoFromLink = forwardKinematics(robot_, belief);
+    modelState.values.head(from.size()) = from + (to - from) * i / steps;
+    const LinkPoses torsoFromLink = forwardKinematics(robot_, modelState);
     if (isSliding(before, torsoFromLink) || checks_.selfCollides(torsoFromLink) ||
-        !checks_.balancedFraction(belief, torsoFromLink, random)) {
+        !checks_.balancedFraction(modelState, torsoFromLink, random)) {
       return std::nullopt;
     }
   }
@@ -128,7 +128,7 @@ double playTime(const Robot& robot, const std::vector<ValidPose>& poses, double 
   for (std::size_t i = 0; i < poses.size(); ++i) {
     for (std::size_t k = 0; k < poses.size(); ++k) {
       seconds[i][k] =
-          motionTime(robot, poses[i].belief.values.head(joints), poses[k].belief.values.head(joints), speed);
+          motionTime(robot, poses[i].modelState.values.head(joints), poses[k].modelState.values.head(joints), speed);
     }
   }
   double sum = secondsPerPose * static_cast<double>(poses.size());
@@ -148,7 +148,7 @@ std::optional<std::vector<std::size_t>> findQuickestOrder(const Ways& seconds) {
 std::optional<Transition> findTransition(const Robot& robot, const PlanningScene& scene, const PoseOptions& options,
                                          const TransitionCheck& checks, const ValidPose& from, const ValidPose& to) {
   const auto joints = static_cast<Eigen::Index>(robot.joints.size());
-  const Eigen::VectorXd start = from.belief.values.head(joints), end = to.belief.values.head(joints);
+  const Eigen::VectorXd start = from.modelState.values.head(joints), end = to.modelState.values.head(joints);
   if (const auto straight = checks.duration(start, end)) {
     return Transition{{}, *straight};
   }
@@ -161,7 +161,7 @@ std::optional<Transition> findTransition(const Robot& robot, const PlanningScene
       for (std::size_t k = 0; k < point.size(); ++k) {
         point[k] = from.point[k] + (to.point[k] - from.point[k]) * i / parts;
       }
-      const auto reached = i == parts ? std::optional{to.belief} : attitudes.stateAt(point);
+      const auto reached = i == parts ? std::optional{to.modelState} : attitudes.stateAt(point);
       const auto seconds = reached ? checks.duration(last, reached->values.head(joints)) : std::nullopt;
       if (!seconds) {
         break;

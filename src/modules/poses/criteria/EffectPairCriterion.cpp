@@ -43,16 +43,16 @@ CaptureSet EffectPairCriterion::captures(const std::vector<ValidPose>& poses) co
   std::mt19937_64 random{options_.poses.seed};
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const Eigen::VectorXd approach = poses[i].approach.size() > 0 ? poses[i].approach : drawApproach(robot_, random);
-    ModelState belief = scene_.nominalState();
-    belief.values.head(joints) = poses[i].belief.values.head(joints);
-    const std::vector<VisibleBoard> sights = scene_.visibleBoards(belief, forwardKinematics(robot_, belief));
+    ModelState modelState = scene_.nominalState();
+    modelState.values.head(joints) = poses[i].modelState.values.head(joints);
+    const std::vector<VisibleBoard> sights = scene_.visibleBoards(modelState, forwardKinematics(robot_, modelState));
     for (const auto& [camera, lens] : cameras_) {
       Capture& capture = set.captures.emplace_back();
       capture.id = static_cast<int>(set.captures.size());
       capture.pose = plannedPoseName(i);
       capture.camera = camera;
       capture.supportFoot = options_.poses.supportFoot;
-      capture.joints.measured.assign(belief.values.begin(), belief.values.begin() + joints);
+      capture.joints.measured.assign(modelState.values.begin(), modelState.values.begin() + joints);
       capture.joints.approach.assign(approach.begin(), approach.end());
       capture.corners = cornersSeenBy(camera, sights);
     }

@@ -136,14 +136,14 @@ std::vector<ProposedPose> filterFeasible(const FittedModel& fitted, const std::v
       picture.instant.supportFoot = pose.supportFoot;
       picture.instant.q = pose.angles;
       picture.nominal.values.head(pose.angles.size()) = pose.angles;
-      ModelState belief = scene.nominalState();
-      belief.values.head(ofRobot) =
+      ModelState modelState = scene.nominalState();
+      modelState.values.head(ofRobot) =
           predictState(measurements, fitted.model, picture, fitted.fit.unknowns).values.head(ofRobot);
-      const LinkPoses torsoFromLink = forwardKinematics(robot, belief);
+      const LinkPoses torsoFromLink = forwardKinematics(robot, modelState);
       if (!isBalanced(robot, torsoFromLink, pose.supportFoot, fittedFooting)) {
         break;
       }
-      for (VisibleBoard& sight : scene.visibleBoards(belief, torsoFromLink)) {
+      for (VisibleBoard& sight : scene.visibleBoards(modelState, torsoFromLink)) {
         if (sight.camera == robot.cameras[camera].name) {
           pose.sights.push_back(std::move(sight));
         }
@@ -279,19 +279,19 @@ std::vector<LocalScene> findLocalScenes(const FittedModel& fitted) {
     }
     const ImageObservation*& last = latest[foot];
     last = !last || last->instant.time < picture.instant.time ? &picture : last;
-    for (const BoardObservation& sighting : picture.sightings) {
-      if (measurements.targets[sighting.view.board()].onFloor) {
-        seen.insert(sighting.view.board());
+    for (const BoardObservation& observation : picture.observations) {
+      if (measurements.targets[observation.view.board()].onFloor) {
+        seen.insert(observation.view.board());
       }
     }
   }
   std::vector<LocalScene> result;
   for (const auto& [foot, picture] : latest) {
-    const ModelState belief = predictState(measurements, fitted.model, *picture, fitted.fit.unknowns);
-    LocalScene here{foot, onFloor(belief.worldFromSupport()), {}};
+    const ModelState modelState = predictState(measurements, fitted.model, *picture, fitted.fit.unknowns);
+    LocalScene here{foot, onFloor(modelState.worldFromSupport()), {}};
     for (const std::size_t target : seen) {
       Board board = measurements.targets[target].board; // keeps the id used in its set
-      board.placement = seenFrom(here.sole, onFloor(belief.boardPlacement(target)));
+      board.placement = seenFrom(here.sole, onFloor(modelState.boardPlacement(target)));
       here.boards.push_back(std::move(board));
     }
     if (!here.boards.empty()) {

@@ -175,7 +175,7 @@ ThesisCriterion::ThesisCriterion(const Robot& robot, const Sole& support,
 std::vector<Eigen::ArrayXd> ThesisCriterion::interactions(const std::vector<ValidPose>& poses) const {
   std::vector<Eigen::ArrayXd> result(poses.size());
   parallelFor(poses.size(), [&](std::size_t i) {
-    result[i] = computeJointInteraction(sensor_.observe(poses[i].belief.values.head(angles_)));
+    result[i] = computeJointInteraction(sensor_.observe(poses[i].modelState.values.head(angles_)));
   });
   return result;
 }
