@@ -231,7 +231,7 @@ TEST_CASE("a client that never reads neither blocks the cycle nor starves the ot
     }
     REQUIRE(frame);
     REQUIRE(json::parse(frame->body).at(0)["value"] == cycle);
-    listed(fast); // nothing is on its way to it any more
+    listed(fast); // no frame is on its way any more
   }
   CHECK(pictures == cycles / 3);
   slow.send(requestList);
@@ -244,7 +244,8 @@ TEST_CASE("a client that never reads neither blocks the cycle nor starves the ot
 }
 
 TEST_CASE("a thread whose pictures take long does not hold up the other thread's values") {
-  // Proves the turns: eight pictures wait when the value comes, and few of them are sent before it.
+  // Proves that threads take turns: eight images are queued when the value arrives, and at most four are sent before
+  // it.
   const ConfiguredRobot robot;
   std::promise<void> ready;
   Thread brain{"Brain", RobotPart::head}, motion{"Motion", RobotPart::body};
@@ -270,7 +271,7 @@ TEST_CASE("a thread whose pictures take long does not hold up the other thread's
 }
 
 TEST_CASE("a client that asks and never reads is closed") {
-  // Proves the limit on what waits for one client, with the sentence. The rate's limit is out of the way.
+  // Proves the limit of the send queue, and the message. The rate limit is disabled.
   ShownRobot robot{{.messagesPerSecond = 1e9}};
   auto client = robot.debug();
   std::string requests;
@@ -284,7 +285,7 @@ TEST_CASE("a client that asks and never reads is closed") {
 }
 
 TEST_CASE("many clients over both kinds of sockets get the same") {
-  // Proves it for eight clients, UNIX and TCP.
+  // Proves it for eight clients, half of them on UNIX sockets.
   ShownRobot robot;
   std::vector<MateClient> clients;
   for (int i = 0; i < 4; ++i) {
@@ -304,7 +305,7 @@ TEST_CASE("many clients over both kinds of sockets get the same") {
 }
 
 TEST_CASE("what changed once while a client was busy reaches it with the next cycle, in its newest state") {
-  // Proves it for a value that is produced in no later cycle, with the time of its own cycle, and once only.
+  // Proves it for a value that is not published again: it is sent once, with the time of its own cycle.
   Scene scene;
   scene.block();
   for (const int value : {6, 7}) {
@@ -321,7 +322,7 @@ TEST_CASE("what changed once while a client was busy reaches it with the next cy
 }
 
 TEST_CASE("what a busy client does not want any more is not sent to it") {
-  // Proves that what waits is bounded by what is subscribed to.
+  // Proves that the queue is bounded by the subscriptions.
   Scene scene;
   scene.block();
   scene.reporter.news = 6;
@@ -335,7 +336,7 @@ TEST_CASE("what a busy client does not want any more is not sent to it") {
 }
 
 TEST_CASE("values that a client missed go before the pictures of the cycle that finds it ready") {
-  // Proves the order, and that a newer picture replaces the one that waits.
+  // Proves the order, and that a newer image replaces a queued one.
   Scene scene;
   scene.block();
   scene.reporter.news = 6;
@@ -351,8 +352,8 @@ TEST_CASE("values that a client missed go before the pictures of the cycle that 
 }
 
 TEST_CASE("a picture that is not renewed reaches a client that was busy when it was taken") {
-  // Proves that the newest one comes, once, when a second of the robot's time has passed: until then one that is
-  // renewed would come with its own cycle's values.
+  // Proves that the newest image is sent once, after one second of the robot's time; an image published earlier would
+  // be sent with the values of its own cycle.
   Scene scene;
   scene.block();
   for (int i = 0; i < 2; ++i) {
