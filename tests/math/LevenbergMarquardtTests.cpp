@@ -21,9 +21,7 @@ struct Valley {
     linear = {0.5 * r.squaredNorm(), j.transpose() * r, j.transpose() * j};
     return true;
   }
-  Eigen::VectorXd applyStep(const Eigen::VectorXd& p, const Linear&, const Eigen::VectorXd& step) const {
-    return p + step;
-  }
+  Eigen::VectorXd applyStep(const Eigen::VectorXd& p, const Linear&, const Eigen::VectorXd& step) const { return p + step; }
   const Eigen::VectorXd& scales() const { return scale; }
   Eigen::VectorXd scale = Eigen::Vector2d{1, 1};
 };

@@ -5,7 +5,7 @@ import {act, say, state} from "../core/state.js";
 import {mountsMount, offsetsMount, savingOn} from "../robots/controls.js";
 import {selectedRobot, nameOf, needKeys, robots, matchRobot} from "../robots/robots.js";
 
-const settable = /^(jointOffset|cameraRotation|backlash|hysteresis)$/; // backlash counts as its average offset in these captures
+const settable = /^(jointOffset|cameraRotation|backlash|hysteresis)$/; // backlash and hysteresis count as their average offset in these captures
 let confirming = null; // {what, robot}
 
 const olds = keys => (mp, key) => (keys.get(mp) || []).find(one => one.key === key)?.value;

@@ -15,7 +15,7 @@ const said = ({says, state}) => says ?? state;
 /** @param {Candidate} candidate */
 export const stateChip = candidate => element("span", {class: "state " + candidate.state}, stateName(said(candidate)));
 
-/** Splits "elasticity@LKneePitch" after the @, where the line may break. @param {string} label */
+/** Splits a label after its at sign, where a line may break: "elasticity@", "LKneePitch". @param {string} label */
 export const brokenLabel = label => label.split(/(?<=@)/).flatMap((part, i) => i ? [element("wbr"), part] : [part]);
 
 /** @param {Candidate} candidate @param {number} most */
