@@ -131,7 +131,7 @@ TEST_CASE("a flaw larger than is plausible leaves nothing to explain once it is 
 
 TEST_CASE("a robot without hidden effects rarely raises an alarm", "[slow]") {
   // Proves the rate of false alarms on 40 simulated robots, half of them with stiction: at most 7, which a 5 % rate
-  // exceeds once in 500 runs. The verdicts scatter and inconclusive are not counted. The blind benchmark measures the
+  // exceeds once in 1400 runs. The verdicts scatter and inconclusive are not counted. The blind benchmark measures the
   // rate.
   int alarms = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {

@@ -97,7 +97,7 @@ TEST_CASE("next pairs tell something else than those before them", "[slow]") {
 
 TEST_CASE("on sound captures hardly any pair is called telling", "[slow]") {
   // Proves the false-alarm rate over whole fits, with hundreds of pairs and three captures per pose: 5 % of 40 sets are
-  // expected; the limit is exceeded by chance once in a hundred runs.
+  // expected; a 5 % rate exceeds the limit once in 300 runs.
   int found = 0;
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     const Told told{simulatedSet(16, seed)};

@@ -137,8 +137,8 @@ TEST_CASE("an own effect that is changed can be taken back, and one for every jo
 }
 
 TEST_CASE("what is set on a robot is what its own calibration would set", "[slow]") {
-  // Proves that poorly determined offsets are excluded, that the others are the fitted (averaged) values, and that
-  // every camera's mount is complete.
+  // Proves that poorly determined offsets are excluded, that the others are those of the fit, and that every
+  // camera's mount is complete.
   Bench bench;
   bench.session.fit();
   const Json compensation = bench.told["fit"]["compensation"];
