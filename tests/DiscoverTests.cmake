@@ -1,5 +1,5 @@
-# Writes a CTest file with every test case of a Catch2 program. Each has one label: that of its tag ([slow], [robot] or
-# [browser]), else `fast`. Hidden test cases ([.]) are left out. Runs after the program was linked:
+# Writes a CTest file with all test cases of a Catch2 program. Each has one label: that of its tag ([slow], [robot] or
+# [browser]), else `fast`. Hidden test cases ([.]) are excluded. Runs after linking:
 #   cmake -D PROGRAM=... -D FOLDER=... -D FILE=... -P DiscoverTests.cmake
 set(tags slow robot browser)
 set(script "")
@@ -8,7 +8,7 @@ set(count 0)
 # Lists the test cases of a test specification and labels them.
 function(add_labelled label specification)
   execute_process(COMMAND ${PROGRAM} ${specification} --list-test-names-only OUTPUT_VARIABLE names RESULT_VARIABLE result ERROR_VARIABLE errors)
-  if(NOT result MATCHES "^[0-9]+$") # else the number of test cases
+  if(NOT result MATCHES "^[0-9]+$") # the exit code is the number of test cases
     message(FATAL_ERROR "${PROGRAM} cannot list its tests: ${result}\n${errors}")
   endif()
   string(REGEX REPLACE "\n+$" "" names "${names}")

@@ -14,8 +14,8 @@
 
 namespace naocal {
 
-/// A client of the robot's sockets that puts its bytes together as MATE does (Python's "<4sBBHII" and "<4sBBHI"), and
-/// shares nothing with the servers' own encoder. Waits at most five minutes for anything.
+/// Client of the robot's sockets. Encodes frames as MATE does (Python's "<4sBBHII" and "<4sBBHI"), independently of the
+/// servers' encoder. Each read and write times out after five minutes.
 class MateClient {
 public:
   struct Frame {
@@ -32,15 +32,15 @@ public:
 
   void send(int type, const std::string& body = "") { sendBytes(frame(type, body)); }
   std::string frame(int type, const std::string& body) const;
-  void sendBytes(const std::string& bytes); // ignores that the other side has closed
+  void sendBytes(const std::string& bytes); // ignores that the peer has closed
 
-  /// The next frame; absent when the other side closed or nothing came.
+  /// The next frame; absent after the peer has closed, or on a timeout.
   std::optional<Frame> receive();
-  /// The next frame of a type, frames before it dropped; absent as above.
+  /// The next frame of a type, skipping others; absent as above.
   std::optional<Frame> receive(int type);
   nlohmann::json receiveJson(int type);
 
-  /// Whether the other side closes within the time, whatever it sends before that.
+  /// Waits until the peer closes, discarding what it sends. False on a timeout.
   bool isClosed();
 
 private:

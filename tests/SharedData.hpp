@@ -8,8 +8,8 @@
 
 namespace naocal {
 
-/// A folder or file of real measurements that are not part of the project: ../shared/data beside the checkout.
-/// Where it is absent the test is skipped: it returns, and CTest does not count it as passed.
+/// Folder or file of real measurements outside the project: ../shared/data beside the checkout. Absent: the caller
+/// returns, and CTest reports the test as skipped, not passed.
 inline std::optional<std::filesystem::path> sharedData(const std::string& inside) {
   const auto path = std::filesystem::path{NAOCAL_SOURCE_DIR} / ".." / "shared" / "data" / inside;
   if (std::filesystem::exists(path)) {

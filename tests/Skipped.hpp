@@ -5,16 +5,16 @@
 
 namespace naocal {
 
-/// Exit code of a test program that missed what a test needs and found no failure; CTest shows the test as skipped.
+/// Exit code of a test program without failures in which a test lacked a requirement; CTest reports it as skipped.
 inline constexpr int skippedExitCode = 77;
 
-/// Whether a test of this program missed what it needs.
+/// Whether a test of this program lacked a requirement.
 inline bool& isSkipped() {
   static bool skipped = false;
   return skipped;
 }
 
-/// Says why a test, or a part of it, cannot run here.
+/// Prints why a test, or a part of it, cannot run, and marks the program as skipped.
 inline void skip(const std::string& why) {
   isSkipped() = true;
   WARN("skipped: " + why);

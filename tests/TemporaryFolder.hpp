@@ -6,7 +6,7 @@
 
 namespace naocal {
 
-/// An empty folder that vanishes with this object.
+/// RAII temporary directory, empty at first.
 class TemporaryFolder {
 public:
   TemporaryFolder() : path_{std::filesystem::temp_directory_path() / "naocal-test-XXXXXX"} {

@@ -1,7 +1,7 @@
 #define CATCH_CONFIG_RUNNER
 #include "Skipped.hpp"
 
-/// Ends with 0 when all held, with `skippedExitCode` when all held that could run, else with another code.
+/// Exit code: 0 if all tests passed, `skippedExitCode` if some were skipped and none failed, otherwise another.
 int main(int count, char** arguments) {
   const int failures = Catch::Session{}.run(count, arguments);
   if (failures == 0) {

@@ -1,5 +1,5 @@
 # shellcheck shell=sh
-# What run and test share; sourced with `root` set to the checkout.
+# Shell functions of the toolchain's scripts; the caller sets `root` to the checkout.
 : "${root:?}"
 
 say() {
@@ -17,7 +17,7 @@ as_root() {
   fi
 }
 
-# Installs those packages of packages.txt that are missing, and says which and why.
+# Installs the missing packages of packages.txt and lists them.
 install_packages() {
   packages="$(sed 's/#.*//' "$root/toolchain/packages.txt" | tr -s ' \n' ' ')"
   if ! command -v dpkg-query > /dev/null; then
@@ -31,7 +31,7 @@ install_packages() {
     fi
   done
   if ! command -v npm > /dev/null; then
-    missing="$missing nodejs npm" # of the panel's page; not in the list, for npm may come with another node
+    missing="$missing nodejs npm" # for the panel's page; not in the list, since npm may come with another Node.js
   fi
   if [ -z "$missing" ]; then
     say "All packages of toolchain/packages.txt are installed"
@@ -39,7 +39,7 @@ install_packages() {
   fi
   say "Installing what building and testing need and this system lacks:$missing"
   as_root env DEBIAN_FRONTEND=noninteractive apt-get update -q
-  # shellcheck disable=SC2086 # the packages are words of their own
+  # shellcheck disable=SC2086 # word splitting is intended
   as_root env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends $missing
 }
 
@@ -47,7 +47,8 @@ install_packages() {
 build() {
   say "Configuring build/$1"
   (cd "$root" && cmake --preset "$1")
-  # a newer package's headers are older than what was precompiled from its last ones: ninja would not notice
+  # Deletes precompiled headers older than the last package change: installed headers keep their packages' older dates,
+  # so ninja would not rebuild.
   if [ -f /var/lib/dpkg/status ]; then
     find "$root/build/$1" -name '*.pch' ! -newer /var/lib/dpkg/status -delete
   fi

@@ -13,12 +13,12 @@
 namespace naocal {
 namespace {
 
-/// A row of the table: how the board lies and how the camera sees.
+/// A row of the table: board geometry and picture quality.
 struct Condition {
-  int width = 640;      // [px]; the height is 3/4 of it, the focal length 7/8
-  double square = 0.08; // [m]; markers are 3/4 of it
-  double distance = 1;  // [m] along the floor
-  double tilt = 0;      // [deg] propped up towards the camera
+  int width = 640;      // image width [px]; height = 3/4 width, focal length = 7/8 width
+  double square = 0.08; // side of a square [m]; markers: 3/4 of it
+  double distance = 1;  // along the floor [m]
+  double tilt = 0;      // about the x axis, towards the camera [deg]
   Appearance appearance;
   std::string remark;
 };
@@ -27,7 +27,7 @@ CameraIntrinsics camera(int width) {
   return {width, width * 3 / 4, width * 0.875, width * 0.875, (width - 1) / 2., (width * 3 / 4 - 1) / 2., {}};
 }
 
-/// A 7x5 board at `distance` before a camera 0.5 m above the floor that looks about at it.
+/// A 7x5 board at `distance` from a camera 0.5 m above the floor that points approximately at it.
 RenderedBoard placedBoard(const Condition& condition, std::mt19937_64& random) {
   std::uniform_real_distribution<double> unit{-1, 1};
   CharucoPattern pattern;
@@ -89,7 +89,7 @@ Statistics measured(const Condition& condition, int frames) {
   return statistics;
 }
 
-/// Whether anything was found.
+/// Prints a row. Returns whether any corner was found.
 bool print(const Condition& condition, int frames) {
   const Statistics s = measured(condition, frames);
   std::string line =
@@ -112,7 +112,7 @@ bool print(const Condition& condition, int frames) {
 } // namespace
 } // namespace naocal
 
-/// Prints how far detected corners are from the truth. Usage: [frames per row, 20 unless told]
+/// Prints the errors of detected corners. Usage: [frames per row (20)]
 int main(int argc, char** argv) {
   using namespace naocal;
   const int frames = argc > 1 ? std::stoi(argv[1]) : 20;
@@ -123,7 +123,7 @@ int main(int argc, char** argv) {
   for (const int width : {640, 1280}) {
     for (const double tilt : {0., 30., 60.}) {
       for (const double square : {0.04, 0.06, 0.08, 0.1, 0.12}) {
-        bool seen = true; // further away there is nothing to see either
+        bool seen = true; // stops at the first distance without detections
         for (const double distance : {0.6, 0.8, 1., 1.3, 1.6, 2., 2.5, 3., 4.}) {
           seen = seen && print({width, square, distance, tilt, {}, "standard"}, frames);
         }

@@ -5,8 +5,9 @@
 
 #include <benchmark/benchmark.h>
 
-// What a diagnosis of 30 poses with two cameras and three pictures costs: the calibration alone, one pass of the score
-// tests, the whole of it for a sound robot, for one flaw (two rungs) and for two (three rungs). Run by hand.
+// Run time of a diagnosis of 30 poses with two cameras and three pictures each: calibration alone, one pass of the
+// score tests, and the whole diagnosis of a robot with no, one and two missing effects (one, two and three rungs). Run
+// by hand.
 
 namespace naocal {
 namespace {
@@ -18,7 +19,7 @@ const Questioned& sound() {
   return questioned;
 }
 
-/// Readings of joints that count too much or too little, by these shares.
+/// Scales the readings of joints by 1 + gain.
 CaptureSet withGains(const std::vector<std::pair<std::string, double>>& gains) {
   CaptureSet set = simulatedSet(poses, 1);
   for (const auto& [joint, gain] : gains) {
@@ -31,7 +32,7 @@ CaptureSet withGains(const std::vector<std::pair<std::string, double>>& gains) {
 }
 
 void calibration(benchmark::State& state) {
-  const Questioned& robot = sound(); // made before the clock starts
+  const Questioned& robot = sound(); // simulated outside the timed loop
   for (auto _ : state) {
     benchmark::DoNotOptimize(calibrate(robot.measurements, robot.model));
   }
@@ -78,7 +79,7 @@ BENCHMARK_CAPTURE(wholeDiagnosis, twoFlaws, {{"LKneePitch", 0.01}, {"LHipRoll", 
 } // namespace naocal
 
 int main(int argc, char** argv) {
-  naocal::tuneAllocator(); // as naocal does
+  naocal::tuneAllocator(); // as in naocal
   benchmark::Initialize(&argc, argv);
   benchmark::RunSpecifiedBenchmarks();
 }

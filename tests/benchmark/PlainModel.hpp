@@ -6,18 +6,17 @@
 
 namespace naocal {
 
-/// A solver's problem as one would write it down for a library: forward kinematics from a chain of joints, once per
-/// pose, and a pinhole camera. Independent of the modules; the other solvers of the benchmark use it, and it makes the
-/// measurements of all of them.
+/// The solver's problem formulated directly: forward kinematics of a chain of joints, once per pose, and a pinhole
+/// camera. Independent of the modules; the reference solvers use it, and it generates the measurements of all solvers.
 struct PlainProblem {
   struct Step {
     Eigen::Vector3d origin; // in the parent [m]
     Eigen::Vector3d axis;
-    int joint; // which of the angles turns about the axis; -1: none
+    int joint; // index of the angle about the axis; -1: fixed
   };
   struct Pose {
     Eigen::VectorXd measured;       // angles [rad]; truth = measured - offset
-    Eigen::Matrix3Xd pointsInWorld; // the sole's frame is the world [m]
+    Eigen::Matrix3Xd pointsInWorld; // world = sole's frame [m]
     Eigen::Matrix2Xd seen;          // [px]
   };
   std::vector<Step> torsoToHead, torsoToSole;
@@ -62,7 +61,7 @@ PlainTransform<T> plainOpticalFromWorld(const PlainProblem& problem, const Plain
   return {rotation * sole.rotation, rotation * (sole.translation - origin)};
 }
 
-/// (u, v) of a point that was moved into the optical frame [px].
+/// (u, v) of a point in the optical frame [px].
 template <typename T> Eigen::Matrix<T, 2, 1> plainPixel(const PlainProblem& problem, const Eigen::Matrix<T, 3, 1>& p) {
   const T scale = problem.focalLength / p.z();
   return {scale * p.x() + problem.centre.x(), scale * p.y() + problem.centre.y()};
@@ -82,10 +81,10 @@ void plainResiduals(const PlainProblem& problem, const PlainProblem::Pose& pose,
   }
 }
 
-/// Eigen's unsupported LevenbergMarquardt with central numerical differences.
+/// Eigen's unsupported LevenbergMarquardt, central differences.
 Eigen::VectorXd solvedByDifferences(const PlainProblem& problem);
 
-/// Ceres with automatic differentiation, one block per pose, one thread.
+/// Ceres, automatic differentiation, one block per pose, one thread.
 enum class CeresSolver { normalCholesky, qr };
 Eigen::VectorXd solvedByCeres(const PlainProblem& problem, CeresSolver solver);
 

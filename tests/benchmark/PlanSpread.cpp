@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <fmt/core.h>
 
-// Whether a plan's predicted sigmas are the spread of simulated calibrations, joint by joint: benchmark_spread [ROBOTS]
-// [left|right|both]. 500 robots (the default) tell a spread to 3 %.
+// Compares a plan's predicted sigmas with the spread of simulated calibrations, joint by joint. Usage: benchmark_spread
+// [ROBOTS] [left|right|both]. 500 robots (the default) determine a spread to 3 % (1 sigma).
 
 int main(int count, char** arguments) {
   using namespace naocal;

@@ -6,8 +6,8 @@
 #include <benchmark/benchmark.h>
 #include <sys/resource.h>
 
-// What candidates of poses cost, on all cores: to generate, validate and score 10^5 to 10^7 (the library fits how it
-// grows), and to select 8 of what a million leaves. Run by hand; 10^7 take minutes.
+// Cost of pose candidates on all cores: generating, validating and scoring 10^5 to 10^7 (with fitted complexity), and
+// selecting 8 poses from a million candidates. Run by hand; 10^7 take minutes.
 
 namespace naocal {
 namespace {
@@ -26,7 +26,7 @@ const PlanningScene& scene() {
   return scene;
 }
 
-/// Of the whole program so far [MB].
+/// Peak memory of the process so far [MB].
 double mostMemory() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);

@@ -20,7 +20,7 @@ namespace {
 
 constexpr Noise pixelOnly{.pixel = 0.3, .encoder = 0, .pose = 0};
 
-/// A problem ready for the modules' solver.
+/// A problem prepared for the modules' solver.
 struct Prepared {
   Prepared(const Robot& robot, const CaptureSet& set, const std::vector<std::string>& without,
            const std::vector<std::string>& with = {})
@@ -41,7 +41,7 @@ Eigen::VectorXd solved(const Prepared& problem, const Noise& noise) {
   return searched(Residuals{problem.measurements, problem.model, noise}, zero(problem.model));
 }
 
-/// Keeps each benchmark's CPU time instead of printing it: name -> times, one per problem [us].
+/// Reporter that stores CPU times instead of printing them: name -> times, one per problem [us].
 class Times : public benchmark::BenchmarkReporter {
 public:
   bool ReportContext(const Context&) override { return true; }
@@ -69,7 +69,7 @@ void time(const std::string& name, const std::function<Eigen::VectorXd()>& solve
   })->Unit(benchmark::kMicrosecond);
 }
 
-double peakMemory() { // of this process so far [MB]
+double peakMemory() { // of the process so far [MB]
   std::ifstream status{"/proc/self/status"};
   for (std::string word; status >> word;) {
     if (word == "VmHWM:") {
@@ -81,13 +81,13 @@ double peakMemory() { // of this process so far [MB]
   return 0;
 }
 
-/// The other solvers and their largest difference from ours [rad].
+/// The reference solvers.
 const std::map<std::string, std::function<Eigen::VectorXd(const PlainProblem&)>> others{
     {"thesis", solvedByDifferences},
     {"Ceres Cholesky", [](const PlainProblem& plain) { return solvedByCeres(plain, CeresSolver::normalCholesky); }},
     {"Ceres QR", [](const PlainProblem& plain) { return solvedByCeres(plain, CeresSolver::qr); }}};
 
-/// All solvers end in the same minimum.
+/// Whether all solvers end within 1e-6 rad of our minimum.
 bool sameMinimum(const Prepared& problem, const PlainProblem& plain) {
   const Eigen::VectorXd ours = solved(problem, pixelOnly);
   bool same = true;
@@ -125,8 +125,8 @@ void printTable(const Times& times) {
 } // namespace
 } // namespace naocal
 
-/// Prints how fast the search is beside what libraries offer, in ratios within this run. Exit code 1: the solvers do
-/// not end in the same minimum. Options of Google Benchmark, such as --benchmark_min_time=0.01.
+/// Prints the search's run time relative to library solvers, within this run. Exit code 1: the solvers do not end in
+/// the same minimum. Takes options of Google Benchmark, such as --benchmark_min_time=0.01.
 int main(int argc, char** argv) {
   using namespace naocal;
   benchmark::Initialize(&argc, argv);
@@ -156,7 +156,7 @@ int main(int argc, char** argv) {
              median(fullTimes["driven search"]) / median(fullTimes["full search"]));
 
   bool same = true;
-  std::deque<OffsetProblem> problems; // deques: their elements stay where they are
+  std::deque<OffsetProblem> problems; // deques: later elements keep references to them
   std::deque<Prepared> prepared;
   std::deque<Residuals> ready;
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {

@@ -6,7 +6,7 @@ namespace naocal {
 
 namespace {
 
-constexpr int corners = 80, offsetCount = 8; // of the benchmark's poses
+constexpr int corners = 80, offsetCount = 8; // per pose; sizes fixed at compile time
 
 struct PoseCost {
   const PlainProblem& problem;
@@ -45,7 +45,7 @@ Eigen::VectorXd solvedByCeres(const PlainProblem& plain, CeresSolver solver) {
   ceres::Solver::Options options;
   options.linear_solver_type = solver == CeresSolver::qr ? ceres::DENSE_QR : ceres::DENSE_NORMAL_CHOLESKY;
   options.num_threads = 1;
-  options.function_tolerance = 1e-10; // the loosest power of ten that ends within 1e-6 rad of the minimum
+  options.function_tolerance = 1e-10; // largest power of ten that ends within 1e-6 rad of the minimum
   options.logging_type = ceres::SILENT;
   ceres::Solver::Summary summary;
   ceres::Solve(options, &problem, &summary);

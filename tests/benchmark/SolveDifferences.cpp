@@ -7,7 +7,7 @@ namespace naocal {
 
 namespace {
 
-/// All residuals and the priors, as Eigen's solver wants them.
+/// All residuals and priors, in the interface of Eigen's solver.
 struct Functor {
   using Scalar = double;
   using InputType = Eigen::VectorXd;

@@ -57,7 +57,7 @@ Eigen::Matrix3Xd pointsInWorld(const std::vector<Board>& boards) {
   return points;
 }
 
-/// Sees all points at the true angles. False: one lies behind the camera or far outside the picture.
+/// Projects all points at the true angles. False: a point lies behind the camera or far outside the image.
 bool look(const PlainProblem& problem, PlainProblem::Pose& pose, const CameraIntrinsics& camera) {
   const auto opticalFromWorld = plainOpticalFromWorld(problem, pose, problem.trueOffsets.data());
   pose.seen.resize(2, pose.pointsInWorld.cols());

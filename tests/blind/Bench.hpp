@@ -27,7 +27,7 @@ inline json diagnosis(const std::string& verdict) {
   return {{"verdict", verdict}, {"ranking", json::array()}, {"suggested", json::array()}, {"drivers", json::array()}};
 }
 
-/// A benchmark's folder with hand-made truths and answers.
+/// Benchmark folder with hand-made truths and answers.
 class Bench {
 public:
   void add(const json& truth, const json& said, json locked = json::object(), const json& solved = json::object()) {
@@ -48,7 +48,7 @@ private:
   naocal::TemporaryFolder folder_;
 };
 
-/// What solve says of one knee.
+/// Result of solve with one knee offset.
 inline json solvedKnee(double value, double sigma, bool usable = true) {
   const json offset{{"value", value}, {"sigma", sigma}, {"learned", 0.9}};
   return {{"usable", usable},

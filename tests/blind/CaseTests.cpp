@@ -5,7 +5,8 @@
 namespace blind {
 
 TEST_CASE("a truth that was changed after sealing is refused, and so is an answer to another one") {
-  // Proves that neither truths nor answers can be exchanged unnoticed once the hash is published.
+  // Proves that readCases detects a changed truth by its hash and an answer to another truth. The published hash in the
+  // manifest is taken as authentic.
   Bench bench;
   bench.add(truthOf("s1", "control", json::array()), diagnosis("adequate"));
   CHECK(readCases(bench.path()).size() == 1);

@@ -5,7 +5,8 @@
 namespace blind {
 
 TEST_CASE("an answer is right in class when its first candidate cannot be told from the truth") {
-  // Proves the marks for naming: first, first three, class, and the interval of the size.
+  // Proves the marks for naming (first, first three, equivalence class), for the interval of the size, and for the
+  // error after adding the suggestion.
   json said = diagnosis("effect-missing");
   said["ranking"] = {candidate("backlash", "LKneePitch", {"elasticity@LKneePitch"}),
                      candidate("elasticity", "LKneePitch")};
@@ -24,7 +25,7 @@ TEST_CASE("an answer is right in class when its first candidate cannot be told f
 }
 
 TEST_CASE("a wrong name, a wide miss of the size and a risen error count as such") {
-  // Proves that the marks can be bad.
+  // Proves that each of these marks can be negative.
   json said = diagnosis("effect-missing");
   said["ranking"] = {candidate("focalLength", "top"), candidate("elasticity", "LKneePitch")};
   said["ranking"][1]["unknowns"] = {{"c", {{"value", 0.008}, {"sigma", 0.0004}}}};
@@ -39,7 +40,7 @@ TEST_CASE("a wrong name, a wide miss of the size and a risen error count as such
 }
 
 TEST_CASE("sound captures that are called bad are no detection, and a suggestion that cannot be tried lowers nothing") {
-  // Proves that neither an answer of the wrong kind nor a calibration that failed makes a figure look better.
+  // Proves that neither the wrong verdict nor a failed calibration with the suggestion improves a mark.
   json said = diagnosis("bad-captures");
   Bench bench;
   bench.add(truthOf("s1", "catalogue", json::array({knee(40)})), said);
@@ -53,7 +54,8 @@ TEST_CASE("sound captures that are called bad are no detection, and a suggestion
 }
 
 TEST_CASE("two hidden effects ask for two suggestions and count further ones") {
-  // Proves that one suggestion does not stand for two effects, and that extras are counted.
+  // Proves that one suggestion does not count for two effects, that extra suggestions are counted, and that an effect
+  // ranked as trivial needs no suggestion.
   json second = knee(40);
   second["effect"] = "focalLength";
   second["at"] = "top";
@@ -70,11 +72,11 @@ TEST_CASE("two hidden effects ask for two suggestions and count further ones") {
   said["suggested"] = json::array({"elasticity@LKneePitch"});
   said["ranking"].push_back({{"effect", "focalLength"}, {"at", "top"}, {"state", "trivial"}});
   bench.add(truthOf("s1", "pair", {knee(40), second}), said);
-  CHECK(bench.marked().bothFound == true); // it was told, and needs no suggestion
+  CHECK(bench.marked().bothFound == true); // reported as trivial
 }
 
 TEST_CASE("outside the catalogue the word, the joint and the driver must be right") {
-  // Proves all three, and that a joint's own angle has two names.
+  // Proves that verdict, joint and driver are all required, and that "q" and the joint's name denote the same driver.
   json ripple = knee(40);
   ripple["effect"] = "kneeRipple";
   ripple["drivers"] = json::array({"q"});
@@ -95,8 +97,9 @@ TEST_CASE("outside the catalogue the word, the joint and the driver must be righ
 
 TEST_CASE(
     "a result is wrongly usable with an offset beyond 3.5 of its sigmas, and intervals are those that people see") {
-  // Proves the figures of honesty: before and after what is suggested, the averaged interval first, the first fit's
-  // rms.
+  // Proves the marks for offsets: wrongly usable and coverage, before and after adding the suggestions; the averaged
+  // interval takes precedence; unlearned offsets and unusable results do not count; rms relative to the fit with fixed
+  // noise.
   json truth = truthOf("s1", "catalogue", json::array({knee(40)}));
   truth["offsets"] = {{"LKneePitch", 0.01}, {"LHipPitch", 0.02}};
   json said = diagnosis("effect-missing");
@@ -127,7 +130,8 @@ TEST_CASE(
 }
 
 TEST_CASE("an event counts as timed between the readings around it, by words or by a number") {
-  // Proves what counts as naming a board, a foot and a joint, and that a wrong time or another board does not.
+  // Proves the sentences and numbers that count as naming a board, a stance and a joint; a wrong time or another board
+  // does not count.
   const auto marked = [](const std::string& what, const std::string& at, json said) {
     json truth = truthOf("s1", "event", json::array());
     truth["event"] = {{"what", what}, {"at", at}, {"before", 40.0}, {"after", 47.5}};
@@ -152,7 +156,8 @@ TEST_CASE("an event counts as timed between the readings around it, by words or 
 }
 
 TEST_CASE("readings that jitter are adequate, with their level in the result, and a spring is an elasticity") {
-  // Proves the level's fifth on both sides and that no level is a wrong one.
+  // Proves that a level within 20 % counts and one too high or missing does not (one too low is not tested), and that
+  // a spring counts as the elasticity of its motor.
   json truth = truthOf("s1", "jitter", json::array());
   truth["jitter"] = 0.0011;
   const auto level = [&](json solved) {
@@ -171,7 +176,7 @@ TEST_CASE("readings that jitter are adequate, with their level in the result, an
 }
 
 TEST_CASE("theory's power follows the noncentral chi-square of a corrected test") {
-  // Proves it against published values: 75 candidates, one unknown.
+  // Compares with published power: 75 candidates, one and two unknowns; with lambda = 0 the power is the level, 5 %.
   CHECK(theoreticalPower(20, 1, 75) == Approx(0.87).margin(0.015));
   CHECK(theoreticalPower(40, 2, 75) == Approx(0.995).margin(0.01));
   CHECK(theoreticalPower(0, 1, 1) == Approx(0.05));

@@ -16,7 +16,7 @@ Question soundRobot(int poses = 8) {
 } // namespace
 
 TEST_CASE("a link in a gap stays until it is pushed, and a load drives it to the gap's end") {
-  // Proves the play operator: memory within the gap, pushing at its ends, gravity against friction.
+  // Proves the play operator: memory inside the gap, pushing at its ends, and gravity against friction.
   Play play{0.02};
   play.start(0);
   play.pushTo(0.005);
@@ -34,7 +34,7 @@ TEST_CASE("a link in a gap stays until it is pushed, and a load drives it to the
 }
 
 TEST_CASE("a gear that sticks keeps its side until the load beats its friction") {
-  // Proves the two regimes of gear play: the load's side beyond the friction, the last motion's side within it.
+  // Proves both regimes of gear play: beyond the friction the load decides the side, below it the last motion.
   Question question = soundRobot(20);
   const int hip = naoV6().joint(question.plan.mainSide == 0 ? "LHipPitch" : "RHipPitch");
   constexpr double play = 0.01, friction = 0.4;
@@ -53,7 +53,7 @@ TEST_CASE("a gear that sticks keeps its side until the load beats its friction")
     if (std::abs(torque) > friction + 0.02) {
       CHECK(moved == Approx(torque > 0 ? play / 2 : -play / 2));
       byLoad += moved * approach < 0;
-    } else if (std::abs(torque) < friction - 0.1) { // light all along the short last way: motion alone decides
+    } else if (std::abs(torque) < friction - 0.1) { // clearly below the friction during the whole last motion
       CHECK(std::abs(moved) == Approx(play / 2));
       byMotion += moved * approach > 0;
     }
@@ -63,7 +63,8 @@ TEST_CASE("a gear that sticks keeps its side until the load beats its friction")
 }
 
 TEST_CASE("readings that jitter leave the robot where it stands, and vary by as much as they are told") {
-  // Proves level and independence of both kinds of repeats, whole steps, and that the true angles do not follow.
+  // Proves the jitter's level in readings of both kinds of repeats, quantisation to encoder steps, and that jitter
+  // leaves the true angles unchanged.
   const std::string kind = GENERATE("rest", "reapproach");
   RandomStream chance{11, "jitter"};
   const Question question = drawQuestion(naoV6(), {"jitter", kind, 0, 20, "jitter 0.10"}, chance);
@@ -88,7 +89,7 @@ TEST_CASE("readings that jitter leave the robot where it stands, and vary by as 
 }
 
 TEST_CASE("an encoder's displaced magnet errs by a sin q + b cos q to first order") {
-  // Proves that the geometry has the contract's signs; its second order is what a formula misses.
+  // Proves the signs of the first-order formula; the exact geometry is tested against its own inverse.
   JointFlaws flaws;
   flaws.magnetX = 0.004;
   flaws.magnetY = -0.006;
@@ -101,7 +102,7 @@ TEST_CASE("an encoder's displaced magnet errs by a sin q + b cos q to first orde
 }
 
 TEST_CASE("a spring carries the torque of the posture that it sagged to") {
-  // Proves the balance itself, not its first order: the sag equals c tau at the sagged posture.
+  // Proves the equilibrium, not its first order: deflection = c tau, with tau at the deflected posture.
   const Question question = soundRobot();
   Robot soft = question.robot;
   const int knee = naoV6().joint(question.plan.mainSide == 0 ? "LKneePitch" : "RKneePitch");
@@ -118,7 +119,7 @@ TEST_CASE("a spring carries the torque of the posture that it sagged to") {
 }
 
 TEST_CASE("friction's play leaves a joint half a gap short of where it came to") {
-  // Proves the sign of hysteresis against the approach that the file records.
+  // Proves the sign of hysteresis relative to the recorded approach.
   const Question question = soundRobot();
   Robot lagging = question.robot;
   const int hip = naoV6().joint("LHipYawPitch");
@@ -133,7 +134,7 @@ TEST_CASE("friction's play leaves a joint half a gap short of where it came to")
 }
 
 TEST_CASE("a soft sole tips until it carries the weight where it then is") {
-  // Proves the balance of the sole and the contract's signs: pitch +c x, roll -c y.
+  // Proves the equilibrium of the sole and the contract's signs: pitch = +c x, roll = -c y.
   SoleFlaws flaws;
   flaws.compliance = 0.2;
   const Eigen::Vector3d centre{0.04, 0.01, 0.25};
@@ -142,7 +143,7 @@ TEST_CASE("a soft sole tips until it carries the weight where it then is") {
   const double pitch = std::asin(-tilt(2, 0)), roll = std::atan2(tilt(2, 1), tilt(2, 2));
   CHECK(pitch == Approx(0.2 * moved.x()).margin(1e-6));
   CHECK(roll == Approx(-0.2 * moved.y()).margin(1e-6));
-  CHECK(pitch > 0.2 * centre.x()); // tipping forward brings the weight further forward
+  CHECK(pitch > 0.2 * centre.x()); // tilting forward moves the centre of mass further forward
 }
 
 } // namespace blind

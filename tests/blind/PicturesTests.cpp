@@ -5,7 +5,7 @@
 namespace blind {
 
 TEST_CASE("a bent sheet keeps the length of its radii and bends as high as it is told") {
-  // Proves that bending is no stretching, and its height against the contract's h.
+  // Proves that bending preserves lengths along a radius, and the height against the contract's h.
   BoardFlaws flaws;
   flaws.bow = 0.01;
   const Eigen::Vector3d middle = sheetPoint(flaws, 3.5, 2.5), corner = sheetPoint(flaws, 0, 0);

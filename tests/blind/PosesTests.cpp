@@ -6,7 +6,8 @@
 namespace blind {
 
 TEST_CASE("every planned attitude stands: its centre of mass lies over the sole") {
-  // Proves that poses are physical for the true robot; joint limits are asked while they are drawn.
+  // Proves static balance of the planned poses for the true robot, to within fixed bounds of the sole. Joint limits are
+  // checked during sampling, not here.
   RandomStream chance{7, "mechanism"};
   const Question question = drawQuestion(naoV6(), {"control", "", 0, 20, "clean"}, chance);
   const TruePictures pictures{question.robot, question.session};

@@ -6,7 +6,8 @@
 namespace blind {
 
 TEST_CASE("an event's truth tells between which readings it happened") {
-  // Proves the moments of all three kinds against what the pictures show: nothing moves before, something after.
+  // Proves the reported interval of all three kinds of events against the images: no shift of a board's first corner
+  // before it, some after it.
   const std::string kind = GENERATE("kicked board", "slipped robot", "offset step");
   RandomStream chance{5, "event"}, mistakes{5, "mistakes"};
   Question question = drawQuestion(naoV6(), {"event", kind, 0, 16, "clean"}, chance);
@@ -30,7 +31,8 @@ TEST_CASE("an event's truth tells between which readings it happened") {
 }
 
 TEST_CASE("a twin does nearly the same to the pictures, and plausible sizes are met") {
-  // Proves that a twin set has one, named at the hidden effect's place, and the size of sized sets.
+  // Proves that a twin question names a twin effect at the hidden effect's place, and that a sized question has its
+  // size. How similar the twin's images are is not tested.
   RandomStream chance{3, "twin"};
   const Question twin = drawQuestion(naoV6(), {"twin", "", 0, 20, "clean"}, chance);
   REQUIRE(twin.hidden.size() == 1);
@@ -43,7 +45,7 @@ TEST_CASE("a twin does nearly the same to the pictures, and plausible sizes are 
 }
 
 TEST_CASE("the same seed writes the same question, another one another") {
-  // Proves determinism of everything that is drawn; the files follow from it.
+  // Proves that all random draws are determined by the seed. Files are not compared.
   const DesignItem item{"catalogue", "backlash", 40, 12, "quantised"};
   RandomStream a{5, "same"}, b{5, "same"}, c{6, "same"};
   const Question first = drawQuestion(naoV6(), item, a), again = drawQuestion(naoV6(), item, b),

@@ -30,7 +30,7 @@ double distance(const Transform& motion, const Eigen::Matrix4d& expected) {
                   (motion.shift - expected.topRightCorner<3, 1>()).cwiseAbs().maxCoeff());
 }
 
-/// At rest: hanging arms, all else straight.
+/// Rest posture: arms hanging, everything else straight.
 Eigen::VectorXd resting(const Drawing& drawing) {
   Eigen::VectorXd angles{static_cast<Eigen::Index>(drawing.joints.size())};
   for (std::size_t i = 0; i < drawing.joints.size(); ++i) {
@@ -42,8 +42,8 @@ Eigen::VectorXd resting(const Drawing& drawing) {
 } // namespace
 
 TEST_CASE("the writer's screws put sole, cameras, centre of mass and torques where published attitudes have them") {
-  // Proves frames, signs, masses and the drawing's reading against an independent simulator's twelve attitudes; not
-  // flaws. That simulator rounds the hanging arms' masses, which torques show by up to 2.6e-6 Nm.
+  // Proves frames, signs, masses and parsing of the drawing against twelve poses of an independent simulator; flaws are
+  // not covered. That simulator rounds the masses of the hanging arms, which changes torques by up to 2.6e-6 Nm.
   const auto file = naocal::sharedData("conformance/kinematics.json");
   if (!file) {
     return;
@@ -82,7 +82,8 @@ TEST_CASE("the writer's screws put sole, cameras, centre of mass and torques whe
 }
 
 TEST_CASE("gravity's torque is the slope of the height of the centre of mass") {
-  // Proves the torques without anybody's reference: tau = -m g dz/dq with the standing sole held still.
+  // Proves the torques without a reference: tau = -m g dz/dq, with z the height of the centre of mass and the support
+  // sole fixed.
   const Drawing drawing = naoV6();
   const Skeleton skeleton{drawing, none(drawing)};
   Eigen::VectorXd angles = resting(drawing);
@@ -113,7 +114,7 @@ TEST_CASE("gravity's torque is the slope of the height of the centre of mass") {
 }
 
 TEST_CASE("a tilted axis moves nothing at zero and a longer thigh lifts the torso") {
-  // Proves that these two flaws are where the contract has them; not their size in pictures.
+  // Proves where these two flaws act, as defined in the contract; their size in images is not tested.
   const Drawing drawing = naoV6();
   Flaws tilted = none(drawing), longer = none(drawing);
   tilted.joints[drawing.joint("LKneePitch")].tiltAlpha = 0.1;

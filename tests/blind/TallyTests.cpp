@@ -5,7 +5,7 @@
 namespace blind {
 
 TEST_CASE("a tally of controls counts alarms by regime with a band") {
-  // Proves pooling and the band's ends: 1 of 4 lies within 0.6 and 80.6 %.
+  // Proves pooling and the exact 95 % interval: for 1 of 4 it is 0.6 to 80.6 %.
   Bench bench;
   for (int i = 0; i < 4; ++i) {
     bench.add(truthOf("s" + std::to_string(i), "control", json::array()),

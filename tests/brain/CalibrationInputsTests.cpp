@@ -9,8 +9,9 @@
 namespace naocal {
 
 TEST_CASE("the gear's play stands where load and friction leave it, on every model of robot") {
-  // Proves that what is shipped can be read, and against a play operator by hand: a load above the gear's friction
-  // holds the joint at one end whatever the last motion was; under a lesser one it lags behind that motion.
+  // Proves that the shipped model can be parsed, and its gear play against the play operator: a load above the gear's
+  // friction holds the joint at one end of the gap, independent of the last motion; below it the joint lags behind that
+  // motion.
   for (const char* name : {"V5", "V6"}) {
     const Robot robot = loadRobot(configurationDirectory(), name);
     const ModelFile model = loadCalibrationModel(configurationDirectory(), robot);
@@ -30,15 +31,14 @@ TEST_CASE("the gear's play stands where load and friction leave it, on every mod
       CHECK(gap(0.5, approach, 0) == Approx(0.005));
       CHECK(gap(-0.5, approach, 0) == Approx(-0.005));
       CHECK(gap(0, approach, 0) == Approx(-0.005 * approach).margin(1e-6));
-      CHECK(gap(0.5, approach, 2.5) == Approx(-0.005 * approach).margin(1e-6)); // a gear that holds 1.2 Nm
+      CHECK(gap(0.5, approach, 2.5) == Approx(-0.005 * approach).margin(1e-6)); // friction torque 1.2 Nm
     }
   }
 }
 
 TEST_CASE("a calibration leaves out of its model what its captures cannot tell") {
-  // Proves that one model file serves both legs: the other leg's effects, and misspelt ones, are named and left out
-  // instead of ending the calibration; and that on both feet, where no load is known, offsets and mounts alone are
-  // left.
+  // Proves that one model file serves both legs: effects of the other leg and misspelt effects are listed and left out
+  // instead of ending the calibration. On both feet, where the torques are unknown, only offsets and mounts remain.
   const auto standing = [](SupportFoot foot) {
     return buildMeasurements({simulate(v6(), handMadePlan(v6(), 2, foot), 5).set}, v6());
   };
@@ -58,7 +58,7 @@ TEST_CASE("a calibration leaves out of its model what its captures cannot tell")
 }
 
 TEST_CASE("boards that share a marker are refused before a calibration begins") {
-  // Proves it, and that the refusal names the marker's boards.
+  // Proves the refusal, and that its message starts with the key and names a board.
   const auto boards = [](int second) {
     nlohmann::json list = nlohmann::json::array();
     for (const auto& [id, first] : {std::pair{"A", 0}, std::pair{"B", second}}) {

@@ -33,7 +33,7 @@ CaptureSet header() {
   return set;
 }
 
-/// $NAOCAL_KILLS, or few enough for every day.
+/// Number of kills: $NAOCAL_KILLS, or 8 by default.
 int killCount() {
   const char* wanted = std::getenv("NAOCAL_KILLS");
   return wanted ? std::atoi(wanted) : 8;
@@ -41,7 +41,7 @@ int killCount() {
 
 } // namespace
 
-// The victim of the case below, in a process of its own: records until it is killed.
+// Child process of the next test: records until it is killed.
 TEST_CASE("records until it is killed", "[.victim]") {
   CalibrationRecorder session{v6(), header(), std::getenv("NAOCAL_RECORDING"), {}};
   std::ofstream progress{std::string{std::getenv("NAOCAL_RECORDING")} + ".progress"};
@@ -61,15 +61,15 @@ TEST_CASE("records until it is killed", "[.victim]") {
                             std::uint64_t(i),
                             std::make_shared<Grey>(std::uint8_t(i % 250))};
     session.record(capture, frame);
-    progress << i << std::endl; // after it is said to be written
+    progress << i << std::endl; // written only after record() has returned
   }
 }
 
-// Proves that whatever moment a recording is cut off at, all that was said to be written is there, whole. A cut of the
-// power could take more than a killed process: files and their names are synchronised, which only a power cut would
-// test. NAOCAL_KILLS=200 makes it two hundred.
+// Proves that after SIGKILL at random moments all captures that record() confirmed are readable and complete. A power
+// cut could lose more: files and directories are synchronised, but only a power cut would test that. NAOCAL_KILLS=200
+// runs 200 kills.
 TEST_CASE("a recording that is killed at any moment is readable up to its last capture", "[slow]") {
-  std::mt19937 random{1}; // and chance enough in the scheduler
+  std::mt19937 random{1}; // delays are also random through the scheduler
   int begun = 0;
   for (int kill = 0; kill < killCount(); ++kill) {
     const TemporaryFolder folder;
@@ -89,7 +89,7 @@ TEST_CASE("a recording that is killed at any moment is readable up to its last c
     int said = -1;
     std::ifstream progress{session + ".progress"};
     for (int number; progress >> number;) {
-      said = progress.eof() ? said : number; // a line that was cut off counts not
+      said = progress.eof() ? said : number; // ignores a truncated last line
     }
     if (!std::filesystem::exists(session + "/captures.json")) {
       CHECK(said == -1);

@@ -9,7 +9,7 @@
 namespace naocal {
 namespace {
 
-/// Feet flat, knees bent, as PosePlayer.json has it.
+/// Feet flat, knees bent, as in PosePlayer.json.
 CompensatedAngles stand() {
   CompensatedAngles angles;
   for (const std::string side : {"L", "R"}) {
@@ -37,16 +37,16 @@ Eigen::VectorXd drawn(const Robot& robot, const CompensatedAngles& angles) {
 } // namespace
 
 TEST_CASE("the shipped poses on one foot are reached safely, each from both sides, in another order every time") {
-  // Proves for each model and foot that a safe way to all eight poses was found (or making the round throws), that all
-  // its points are within the joints' limits, that poses end on one foot, and that the second approach is the first
-  // one's opposite. How many simulated robots fall is measured elsewhere.
+  // Proves for each model and foot that a safe path to all eight poses exists (planRound throws otherwise), that all
+  // waypoints are within the joint limits, that poses are balanced on one foot, and that the second approach is
+  // opposite to the first. The share of simulated robots that fall is measured elsewhere.
   for (const char* model : {"V5", "V6"}) {
     const Robot robot = loadRobot(configurationDirectory(), model);
     const PoseFile file = readPoseFile(configurationDirectory() / "poses" / (std::string{model} + ".json"), robot);
     for (const SupportFoot foot : {SupportFoot::left, SupportFoot::right}) {
       const LegRoundPlanner poses{robot, file, foot, stand()};
       const CalibrationRound round = poses.planRound({2, radians(1), 0, 1}, 3);
-      REQUIRE(round.size() == 19); // onto the foot, let go, 8 poses twice, back
+      REQUIRE(round.size() == 19); // onto the foot, release, 8 poses twice, back
       CHECK(round.back().points.empty());
       std::vector<std::string> order;
       for (std::size_t i = 2; i + 1 < round.size(); ++i) {
@@ -85,7 +85,7 @@ TEST_CASE("the shipped poses on one foot are reached safely, each from both side
 }
 
 TEST_CASE("poses without a safe way to them are refused by name") {
-  // Proves it for a pose that topples and for a foot without poses.
+  // Proves the refusal of an unbalanced pose and of a foot without poses.
   const Robot robot = loadRobot(configurationDirectory(), "V6");
   PoseFile file;
   CompensatedAngles leaning = stand();
@@ -99,8 +99,8 @@ TEST_CASE("poses without a safe way to them are refused by name") {
 }
 
 TEST_CASE("a robot is held between one foot and both, and let go before its first pose") {
-  // Proves the order: hold it and confirm, the way onto the foot, let it go and confirm, the poses, hold it and
-  // confirm, the way back; onto a second foot there is no question, for it is held still.
+  // Proves the order: hold and confirm, path onto the foot, release and confirm, poses, hold and confirm, path back.
+  // The round on the other foot starts without a question, as the robot is still held.
   const Robot robot = loadRobot(configurationDirectory(), "V6");
   const PoseFile file = readPoseFile(configurationDirectory() / "poses/V6.json", robot);
   const LegRoundPlanner poses{robot, file, SupportFoot::right, stand()};
@@ -120,8 +120,8 @@ TEST_CASE("a robot is held between one foot and both, and let go before its firs
 }
 
 TEST_CASE("the head takes every pair of angles in random order, each from both sides") {
-  // Proves that all pairs are there, that another seed gives another order, that the last piece of the way goes the way
-  // that is recorded, and that a smaller share looks nearer to the middle.
+  // Proves that all pairs occur, that another seed changes the order, that the last segment has the recorded direction
+  // of approach, and that a smaller share reduces the angles.
   const CompensatedAngles stand;
   const std::size_t turns = *jointIndex("HeadYaw"), nods = *jointIndex("HeadPitch");
   const auto looks = [&](const CalibrationRound& round) {

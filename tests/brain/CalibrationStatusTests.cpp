@@ -19,7 +19,8 @@ CalibrationStep step(const std::string& name, int pictures) {
 } // namespace
 
 TEST_CASE("a joint that was hardly observed is told in words, with the poses in which no board was seen") {
-  // Proves the offsets in degrees beside those before, that only what was learned is told, and the sentence.
+  // Proves that offsets are published in degrees beside the previous values, only for learned joints, and the warning's
+  // sentence.
   StoredResult before;
   before.values["jointOffset@LHipPitch.o"] = 0.005;
   const std::vector<EffectiveOffset> applied{{"LKneePitch", 0.02, 0.08, 0.12}, {"LHipPitch", 0.01, 0.001, 0.99}};
@@ -36,7 +37,7 @@ TEST_CASE("a joint that was hardly observed is told in words, with the poses in 
 }
 
 TEST_CASE("what was set before a calibration is told with its outcome, to whoever comes later") {
-  // Proves that every value of before is there, also of joints that nothing was learned of; and that none is made up.
+  // Proves that `before` is published unchanged if set, and absent otherwise. Which values it holds is not tested.
   PublishedOutcome outcome;
   CHECK_FALSE(Json(outcome).contains("before"));
   outcome.before = R"({"Motion.JointCalibrationProvider": {"headYaw": 0.5}})";
@@ -44,7 +45,7 @@ TEST_CASE("what was set before a calibration is told with its outcome, to whoeve
 }
 
 TEST_CASE("the poses of a round are shown with the one that comes next") {
-  // Proves that ways between poses are left out, and which pose is next before, at and behind it.
+  // Proves that steps without pictures are omitted, and the index of the next pose before, at and after a pose.
   const CalibrationRound round{step("The left foot", 0), step("Pose 1", 2), step("Pose 1", 2), step("Pose 2", 2),
                                step("Back", 0)};
   CHECK(listPoses(0, round, 0).poses.size() == 3);

@@ -8,7 +8,7 @@
 namespace naocal {
 
 TEST_CASE("the panel's matrices are those of a robot that stands upright") {
-  // Proves frames, units and directions by the drawing's lengths: straight legs, head turned to the left.
+  // Proves frames, units and directions from the drawing's lengths: straight legs, head turned left.
   const Robot robot = loadRobot(configurationDirectory(), "V6");
   JointSample moment;
   moment.angles[*jointIndex("HeadYaw")] = radians(90);
@@ -20,14 +20,16 @@ TEST_CASE("the panel's matrices are those of a robot that stands upright") {
   CHECK(shown["imageInfos"]["identification"] == "top");
   CHECK((position(shown["ground2Torso"]) - Eigen::Vector3d{0, 0, -333.09}).norm() < 0.01); // mm
   CHECK(shown["torso2Head"][0][0].get<double>() == Approx(radians(90)));
-  CHECK(shown["torso2Head"][0][3].get<double>() == Approx(-1)); // inverse: back to the right
+  CHECK(shown["torso2Head"][0][3].get<double>() == Approx(-1)); // the inverse rotation: back to the right
   CHECK((position(shown["torso2Head"]) - Eigen::Vector3d{0, 0, -126.5}).norm() < 0.01);
-  // the ground's origin, seen from a camera 0.5232 m above it and 0.0587 m in front of the neck, 1.2 degrees down [m]
+  // Distance of the ground's origin from a camera 0.5232 m above it and 0.0587 m in front of the neck, pitched down by
+  // 1.2 degrees [m].
   CHECK(position(shown["imageInfos"]["ground2Camera"]).norm() == Approx(std::hypot(0.05871, 0.52323)).margin(1e-5));
 }
 
 TEST_CASE("a tilted torso moves the ground, not the head") {
-  // Proves that roll and pitch come from the inertial unit: the ground's z axis, seen from a torso that leans forward.
+  // Proves that the pitch is that of the inertial unit: direction of the ground's z axis for a torso leaning forward.
+  // Roll is not tested.
   const Robot robot = loadRobot(configurationDirectory(), "V6");
   JointSample moment;
   moment.tilt = {0, radians(10)};

@@ -20,7 +20,7 @@ using std::chrono::milliseconds;
 
 constexpr std::size_t yaw = *jointIndex("HeadYaw");
 
-/// Cameras that give the pictures which the test puts there.
+/// Cameras that return the test's pictures.
 class GivenCameras final : public CameraInterface {
 public:
   std::optional<CameraFrame> waitForFrame(milliseconds) override {
@@ -36,12 +36,12 @@ public:
   std::deque<CameraFrame> frames;
 };
 
-/// A head whose angle is known at every moment; its largest speed is 1 rad/s.
+/// Known head angle over time; maximum speed 1 rad/s.
 double trueYaw(TimePoint time) {
   return 0.5 * std::sin(2 * toSeconds(time.time_since_epoch()));
 }
 
-/// Stands for the motion thread: what it measured up to now.
+/// Stands in for the motion thread: pushes joint samples up to a time.
 class Measuring : public Module {
 public:
   Measuring() : Module{"Measuring"} {}
@@ -96,8 +96,8 @@ CameraFrame frameAt(TimePoint time) {
   return frame;
 }
 
-/// A chessboard of 40-pixel squares from `shift` on, with noise of 3 grey levels; rows 100 to 200 lit by `flicker`
-/// more.
+/// Chessboard of 40-pixel squares, moved by `shift` pixels, with noise of 3 grey levels; rows 100 to 200 are brighter
+/// by `flicker`.
 GreyPicture picture(double shift, unsigned seed, int flicker = 0) {
   std::mt19937 random{seed};
   std::normal_distribution<double> noise{0, 3};
@@ -116,8 +116,8 @@ GreyPicture picture(double shift, unsigned seed, int flicker = 0) {
 } // namespace
 
 TEST_CASE("a picture is paired with the joints in the middle of its exposure") {
-  // Proves an error under a millisecond of the joints' motion for two cameras of 33 ms, joints of 12 ms with jitter,
-  // lost pictures, and pictures that arrive before or after the joints of their moment.
+  // Proves a pairing error below 1 ms of joint motion, for two cameras of 33 ms period, joint samples of 12 ms with
+  // jitter, lost pictures, and pictures that arrive before or after the joint samples of their time.
   Rig rig{0.017};
   std::mt19937 random{1};
   TimePoint stamp{std::chrono::seconds{2}};
@@ -137,12 +137,12 @@ TEST_CASE("a picture is paired with the joints in the middle of its exposure") {
       ++paired;
     }
   }
-  CHECK(worst < 1e-3); // [rad], so [s] at that speed
+  CHECK(worst < 1e-3); // [rad], equal to [s] at 1 rad/s
   CHECK(paired > 450);
 }
 
 TEST_CASE("pictures that were taken while something moved are not passed on") {
-  // Proves it, and that a picture without joints at its time is none either.
+  // Proves that pictures taken during motion, and pictures without joint samples at their time, are dropped.
   Rig rig{0.017};
   std::mt19937 random{1};
   rig.measuring.still = 0;
@@ -163,7 +163,7 @@ TEST_CASE("pictures that were taken while something moved are not passed on") {
 }
 
 TEST_CASE("two pictures never have the same timestamp in milliseconds") {
-  // Proves what the desktop pairs pictures and values by, for two cameras that expose at the same moment.
+  // Proves unique timestamps, by which the panel pairs pictures and values, for two cameras that expose simultaneously.
   Rig rig{0.017};
   struct Times : CycleListener {
     void onCycleEnd(TimePoint time, const std::vector<AnyProduction*>&) override {
@@ -183,7 +183,7 @@ TEST_CASE("two pictures never have the same timestamp in milliseconds") {
 }
 
 TEST_CASE("pictures differ when half a pixel has moved, not by noise or flicker") {
-  // Proves it for the limit that CalibrationRunner.json ships, 2 grey levels.
+  // Proves the separation at the limit shipped in CalibrationRunner.json, 2 grey levels.
   CHECK(imageDifference(picture(0, 1), picture(0, 2)) < 1);
   CHECK(imageDifference(picture(0, 1), picture(0, 2, 10)) < 1.5);
   CHECK(imageDifference(picture(0, 1), picture(0.5, 2)) > 2);

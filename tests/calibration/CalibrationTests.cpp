@@ -36,7 +36,7 @@ struct Made {
 } // namespace
 
 TEST_CASE("shuffled captures give the same answer to the last digit") {
-  // Proves independence of the captures' order through every stage, noise levels included.
+  // Proves that all stages, including the noise estimation, are independent of the captures' order.
   const Made made;
   CaptureSet shuffled = made.simulation.set;
   std::shuffle(shuffled.captures.begin(), shuffled.captures.end(), std::mt19937{5});
@@ -47,8 +47,8 @@ TEST_CASE("shuffled captures give the same answer to the last digit") {
 }
 
 TEST_CASE("stances that hold only later samples of a pose are aligned before the search too") {
-  // Proves that a robot put down anew for every sample starts near its minimum: without, the search takes 25 rounds and
-  // more, or cannot start at all.
+  // Proves that the placement of a robot that stands anew for every sample is initialised near the minimum: without it,
+  // the search takes 25 iterations or more, or cannot start.
   for (const std::uint64_t seed : {2, 3, 5}) {
     const Made made{seed, 3, 3, RepeatKind::restand};
     const CalibrationResult result = calibrate(made.measurements, made.model);
@@ -58,7 +58,7 @@ TEST_CASE("stances that hold only later samples of a pose are aligned before the
 }
 
 TEST_CASE("joints and cameras in turns end where both together end") {
-  // Proves the alternative way of the thesis against ours: one minimum, slower.
+  // Proves that the thesis' alternating search reaches the same minimum in more iterations.
   const Made made;
   CalibrationOptions together, inTurns;
   together.estimateNoise = inTurns.estimateNoise = false;
@@ -71,7 +71,7 @@ TEST_CASE("joints and cameras in turns end where both together end") {
 }
 
 TEST_CASE("random restarts find nothing better on an ordinary set") {
-  // Proves that the ordinary start ends in the lowest minimum known, and that restarts are counted.
+  // Proves that on this set eight restarts find no lower minimum, and that restarts are counted.
   const Made made;
   CalibrationOptions options;
   options.restarts = 8;
@@ -82,7 +82,8 @@ TEST_CASE("random restarts find nothing better on an ordinary set") {
 }
 
 TEST_CASE("what one pose cannot tell is said in words and makes the result unusable") {
-  // Proves honesty with too few poses: weak directions with sentences, learned below one half, not usable.
+  // Proves that with too few poses the result lists weak directions, some unknowns are learned by less than half, and
+  // it is not usable.
   const Made made{3, 1, 1};
   const CalibrationResult result = calibrate(made.measurements, made.model);
   CHECK_FALSE(result.usable);
@@ -93,7 +94,8 @@ TEST_CASE("what one pose cannot tell is said in words and makes the result unusa
 }
 
 TEST_CASE("a result file gives back what was written and predicts other captures of the robot") {
-  // Proves the round trip through RESULT.json, and comparison: errors of captures that were not used fall to the noise.
+  // Proves the round trip of values through RESULT.json, and the comparison: rms error on captures not used for the fit
+  // is below 1.5 px, a tenth of the nominal error.
   const Made made{4, 12};
   const CalibrationResult result = calibrate(made.measurements, made.model);
   const auto file = std::filesystem::temp_directory_path() / "naocal-result-round-trip.json";
@@ -116,7 +118,7 @@ TEST_CASE("a result file gives back what was written and predicts other captures
 }
 
 TEST_CASE("captures without any corner and terms without any place are refused with a sentence") {
-  // Proves that there is no result out of nothing.
+  // Proves that empty or inconsistent input throws InputError instead of giving a result.
   Made made;
   CaptureSet nothing = made.simulation.set;
   for (Capture& capture : nothing.captures) {
@@ -131,8 +133,8 @@ TEST_CASE("captures without any corner and terms without any place are refused w
 }
 
 TEST_CASE("a fit that bends joints until it sees what lies behind the camera is refused") {
-  // Proves it of a head that was turned round by its offset and back by its deflections: what the readings say of the
-  // corners then is no number, and none may be told.
+  // Proves the refusal for a head that its offset turns by 180 degrees and its deflections turn back: at the encoder
+  // readings the corners lie behind the camera and have no residual.
   const Made made;
   const Noise noise{0.3, 6e-4, 1e-3};
   const Residuals residuals{made.measurements, made.model, noise};
@@ -154,7 +156,7 @@ TEST_CASE("a fit that bends joints until it sees what lies behind the camera is 
       fit.minimum.state.unknowns[static_cast<Eigen::Index>(term.first)] += std::numbers::pi;
     }
   }
-  REQUIRE(residuals.linearise(fit.minimum.state)); // so it sees them
+  REQUIRE(residuals.linearise(fit.minimum.state)); // at the deflected joints the corners are visible
   CHECK_THROWS_AS(estimateUncertainty(made.measurements, made.model, fit, {noise}), InputError);
 }
 

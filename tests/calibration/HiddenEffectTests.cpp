@@ -14,7 +14,7 @@
 namespace naocal {
 namespace {
 
-/// The estimate of an effect's first unknown.
+/// Estimate of an effect's first unknown.
 Estimate estimateOf(const Measurements& measurements, const std::string& label) {
   const Model model = buildModel(measurements, {label});
   const CalibrationResult result = calibrate(measurements, model);
@@ -30,8 +30,8 @@ Estimate estimateOf(const Measurements& measurements, const std::string& label) 
 } // namespace
 
 TEST_CASE("an effect that another simulator hid has its size within 3 sigma", "[slow]") {
-  // Proves sign, formula and unit of five effects, torque and centre of mass among them, against captures that nothing
-  // of this code made.
+  // Proves sign, formula and unit of five effects, including torque and centre of mass, against captures of an
+  // independent simulator.
   const auto [name, place] =
       GENERATE(std::pair{"elasticity-knee", "LKneePitch"}, std::pair{"hysteresis-hip-roll", "LHipRoll"},
                std::pair{"link-thigh", "thigh"}, std::pair{"sole", "left"}, std::pair{"thermal-knee", "LKneePitch"});
@@ -49,8 +49,8 @@ TEST_CASE("an effect that another simulator hid has its size within 3 sigma", "[
 }
 
 TEST_CASE("a spring at the angle that it gave way to, and play that load or motion holds, have their sizes") {
-  // Proves both laws against captures that nothing of this code made, and that a spring may be called one. The elastic
-  // knee of the test above was made under the torque of the angle that was read: the same law serves both.
+  // Proves the formulas against captures of an independent simulator, and that "spring" is accepted as a name. The knee
+  // of the previous test was simulated with the torque at the encoder angle: one formula fits both.
   const auto [name, label] =
       GENERATE(std::pair{"spring-knee", "spring@LKneePitch"}, std::pair{"gear-play", "gearPlay@LKneePitch"});
   const auto folder = sharedData(std::string{"conformance-2/"} + name);
@@ -68,8 +68,8 @@ TEST_CASE("a spring at the angle that it gave way to, and play that load or moti
 
 TEST_CASE("what the simulator builds into a joint is estimated within 3 sigma, one motor's two joints included",
           "[slow]") {
-  // Proves the simulator's mechanisms and the effects against each other: a spring is let sag until it carries the
-  // posture reached, play is taken up by load or motion. The calibration solves neither that way.
+  // Cross-checks the simulator's mechanisms and the effects: the simulator iterates a spring to equilibrium and takes
+  // up play by load or motion; the calibration uses neither algorithm.
   const auto label = GENERATE("elasticity@LKneePitch", "spring@LHipYawPitch", "gearPlay@LHipPitch", "gearPlay@HeadYaw",
                               "hysteresis@LAnklePitch");
   const Robot robot = loadRobot(configurationDirectory(), "V6");
@@ -87,7 +87,8 @@ TEST_CASE("what the simulator builds into a joint is estimated within 3 sigma, o
 }
 
 TEST_CASE("an effect that is larger than is plausible keeps its size") {
-  // Proves that its prior gives way: the knee creeps by 0.12 mrad a second, twelve times what is plausible.
+  // Proves that the prior does not shrink the estimate: the knee creeps by 0.12 mrad/s, twelve times the plausible
+  // size.
   constexpr double creep = 1.2e-4; // [rad/s]
   const Robot robot = loadRobot(configurationDirectory(), "V6");
   CaptureSet set = simulate(robot, handMadePlan(robot, 48), 5).set;
@@ -103,9 +104,9 @@ TEST_CASE("an effect that is larger than is plausible keeps its size") {
 }
 
 TEST_CASE("a model that lacks an effect lies nearly as near to the pictures as it can") {
-  // Proves it where joints scatter by 0.05 degrees and the file has one camera's focal length 4 % too long: levels and
-  // averages are those of the noise, but the first error that is shown is at most a tenth above that of a search for
-  // the least distances, which believes joints' readings no better than that error.
+  // Proves it for joint scatter of 0.05 degrees and a focal length 4 % too long in the file: noise levels stay at the
+  // true noise, and the displayed rms error is at most 10 % above the least possible one, found with a pixel noise of
+  // 10 px.
   const Robot robot = loadRobot(configurationDirectory(), "V6");
   SimulationPlan plan = handMadePlan(robot, 12);
   plan.mechanics.poseScatter = radians(0.05);
@@ -115,7 +116,7 @@ TEST_CASE("a model that lacks an effect lies nearly as near to the pictures as i
   const Measurements measurements = buildMeasurements({set}, robot);
   const Model model = buildModel(measurements);
   CalibrationOptions least;
-  least.noise.pixel = 10; // [px]: corners' distances are all that counts
+  least.noise.pixel = 10; // [px]; so large that only distances of corners count
   least.estimateNoise = least.question = least.robust = least.excludeDisplaced = false;
   const CalibrationResult result = calibrate(measurements, model);
   const double possible = calibrate(measurements, model, least).rmsPx;
@@ -126,8 +127,8 @@ TEST_CASE("a model that lacks an effect lies nearly as near to the pictures as i
 }
 
 TEST_CASE("a result that has the hidden effect predicts other poses better, joints' errors allowed for") {
-  // Proves the error of predictions: with the knee's gain in the model it is what the corners' noise leaves (0.3 px per
-  // axis), without it it is more, both weighed with the same noise; and never more than the plain error.
+  // Proves weightedError: with the knee's gain in the model it equals the corner noise (0.3 px per axis); without the
+  // gain it is larger at the same noise; it is below the plain rms error.
   const Robot robot = loadRobot(configurationDirectory(), "V6");
   CaptureSet all = simulate(robot, handMadePlan(robot, 24), 5).set;
   const auto knee = std::find(all.jointNames.begin(), all.jointNames.end(), "LKneePitch") - all.jointNames.begin();
@@ -153,8 +154,8 @@ TEST_CASE("a result that has the hidden effect predicts other poses better, join
 }
 
 TEST_CASE("joints that come to rest a tenth of a degree off are allowed for in other poses' error") {
-  // Proves that where each pose came to rest is found before corners are called false: their plain error is ten times
-  // their noise, and what the noise leaves is all that remains.
+  // Proves that each pose's joint deflections are estimated before outliers are rejected: the plain error exceeds 1.5
+  // px, the weighted error equals the corner noise.
   const Robot robot = loadRobot(configurationDirectory(), "V6");
   SimulationPlan plan = handMadePlan(robot, 24);
   plan.mechanics.poseScatter = radians(0.1);
@@ -172,11 +173,12 @@ TEST_CASE("joints that come to rest a tenth of a degree off are allowed for in o
 }
 
 TEST_CASE("a tilted inertial unit is told from its readings, and only where there are any") {
-  // Proves sign and size of the unit's tilt, and that its readings do not spoil the rest.
+  // Proves sign and size of the unit's roll, and the refusal without readings. Estimates of other unknowns are not
+  // compared.
   const Robot robot = loadRobot(configurationDirectory(), "V6");
   Simulation simulation = simulate(robot, handMadePlan(robot, 12), 3);
   for (Capture& capture : simulation.set.captures) {
-    *capture.imu += Eigen::Vector2d{-0.03, 0.02}; // small tilts about the same axes: reading - tilt
+    *capture.imu += Eigen::Vector2d{-0.03, 0.02}; // small tilts about the same axes: reading minus tilt
   }
   const Estimate roll = estimateOf(buildMeasurements({simulation.set}, robot), "imuTilt@all");
   CHECK(std::abs(roll.value - 0.03) < 4 * roll.sigma + 0.001);
@@ -189,7 +191,8 @@ TEST_CASE("a tilted inertial unit is told from its readings, and only where ther
 }
 
 TEST_CASE("an effect whose driver was not recorded is refused with the reason") {
-  // Proves the words, that '*' skips what cannot be driven, and that torques on both feet want the force sensors.
+  // Proves the messages, that '*' skips effects without their driver, and that torques on both feet require force
+  // sensors.
   using Catch::Contains;
   const Robot robot = loadRobot(configurationDirectory(), "V6");
   Simulation simulation = simulate(robot, handMadePlan(robot, 4, SupportFoot::both), 3);

@@ -36,8 +36,8 @@ Noise simulatedNoise() {
 } // namespace
 
 TEST_CASE("where no board moved, the test for moves is chi2 with six degrees of freedom") {
-  // Proves the statistic with everything that is estimated along with it: its mean over boards that show enough
-  // corners, the share beyond the 95 % quantile (12.59), and that nothing is found to have moved.
+  // Proves the distribution of the statistic with all other unknowns estimated: its mean over boards with at least six
+  // corners, the share beyond the 95 % quantile (12.59), and that no displacement is found.
   double sum = 0, count = 0, beyond = 0;
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     const Seen seen{simulated(seed)};
@@ -57,8 +57,9 @@ TEST_CASE("where no board moved, the test for moves is chi2 with six degrees of 
 }
 
 TEST_CASE("a board that moved in one picture is found, and counts nothing once it is set aside") {
-  // Proves the search for a slight move, 2 px, that bent joints could explain as well, and that what is set aside has
-  // no influence left. Moves of many observations at once are left to the tests of whole calibrations.
+  // Proves that a displacement of 2 px, small enough to be absorbed by joint deflections, is found, and that an
+  // excluded observation has no influence on the fit. Displacements of many observations are covered by tests of whole
+  // calibrations.
   CaptureSet set = simulated(7);
   Capture& capture = set.captures[4];
   REQUIRE_FALSE(capture.corners->empty());
@@ -76,7 +77,7 @@ TEST_CASE("a board that moved in one picture is found, and counts nothing once i
   CHECK(set.captures[picture.capture].id == capture.id);
   CHECK(seen.measurements.targets[picture.observations[moved->observation].view.board()].name == corners.board);
 
-  shift(1); // of what is set aside
+  shift(1); // displaces the excluded sighting further
   Seen other{set};
   excludeObservation(seen.measurements, *moved);
   excludeObservation(other.measurements, *moved);

@@ -10,9 +10,8 @@
 namespace naocal {
 
 TEST_CASE("repeats tell what scatters from pose to pose and what at every approach", "[slow]") {
-  // Proves that the restricted likelihood is searched to its peak: gears that stick differently in every pose (0.06
-  // degrees) and at every approach (0.08) are told apart and sized, averaged over six robots with 24 poses each. One
-  // robot's levels vary by some 10 percent.
+  // Proves that the REML search separates and estimates stiction per pose (0.06 degrees) and per approach (0.08),
+  // averaged over six robots with 24 poses each. The levels of a single robot scatter by about 10 %.
   const Robot robot = loadRobot(configurationDirectory(), "V6");
   SimulationPlan plan;
   plan.poses = planStandingPoses(robot, plan, SupportFoot::left, 24, 1);
@@ -33,7 +32,7 @@ TEST_CASE("repeats tell what scatters from pose to pose and what at every approa
 
 namespace {
 
-/// A robot that takes its poses three times, is put down anew and takes them three times again: gears settle anew with
+/// A robot that takes its poses three times, stands anew and takes them three times again: stiction is drawn anew for
 /// every stance.
 CaptureSet restood(const Robot& robot, SimulationPlan plan, std::uint64_t seed) {
   plan.robotSeed = plan.boardSeed = seed;
@@ -55,8 +54,8 @@ CaptureSet restood(const Robot& robot, SimulationPlan plan, std::uint64_t seed) 
 } // namespace
 
 TEST_CASE("a robot that was put down anew tells what standing anew changes", "[slow]") {
-  // Proves that the stance's level is told from the pose's and the approach's: what settles anew with the stance (0.06
-  // degrees) is not called the re-approach's, nor a scatter of poses; without a second stance it is the poses'.
+  // Proves that scatter per stance (0.06 degrees) is attributed to the stance, not to approaches or poses, and that the
+  // stance level is zero with a single stance.
   const Robot robot = loadRobot(configurationDirectory(), "V6");
   SimulationPlan plan;
   plan.poses = planStandingPoses(robot, plan, SupportFoot::left, 24, 1);

@@ -7,9 +7,9 @@
 namespace naocal {
 
 TEST_CASE("a real NAO's arm and leg are predicted better than published", "[slow]") {
-  // Proves the whole chain on measurements of a robot nobody here has touched (Freiburg, 2014): training set fitted
-  // with joint offsets, mount, lens and marks; test set predicted. Published with all four limbs: 4.0 px (arm), 5.2 px
-  // (leg).
+  // Proves the whole chain on measurements of a robot at another laboratory (Freiburg, 2014): fitted to the training
+  // set with joint offsets, mount, lens and marks; evaluated on the test set. Published with all four limbs: 4.0 px
+  // (arm), 5.2 px (leg).
   const auto data = sharedData("nao-freiburg-2014");
   if (!data) {
     return;
@@ -32,8 +32,8 @@ TEST_CASE("a real NAO's arm and leg are predicted better than published", "[slow
 }
 
 TEST_CASE("tilted axes explain a real NAO's limbs better than free links do", "[slow]") {
-  // Proves that an effect found missing on real captures helps on ones that it was not fitted to: published with six
-  // free numbers per link 2.1 px (arm) and 4.2 px (leg); here two per joint.
+  // Proves that an effect found in real captures improves the prediction of others. Published with six free parameters
+  // per link: 2.1 px (arm), 4.2 px (leg); here two per joint.
   const auto data = sharedData("nao-freiburg-2014");
   if (!data) {
     return;
@@ -49,8 +49,8 @@ TEST_CASE("tilted axes explain a real NAO's limbs better than free links do", "[
 }
 
 TEST_CASE("another simulator's robots are found as it made them") {
-  // Proves signs, frames and noise against sets that an independent program wrote: every true value within 4 sigma, 93
-  // to 97 % of them within 95 % intervals as far as 42 numbers can tell (at least 38 of 42), no misfit claimed.
+  // Proves signs, frames and noise against sets of an independent program: every true value is within 4 sigma, at least
+  // 38 of 42 are inside their 95 % intervals, and no misfit is reported.
   const auto data = sharedData("conformance");
   if (!data) {
     return;

@@ -13,7 +13,7 @@ std::string spoken(Effect effect, const std::string& place, std::size_t unknown 
 } // namespace
 
 TEST_CASE("unknowns are named as a person would name them") {
-  // Proves the words of the effects at hand, and of one at a board; not that every later effect reads well.
+  // Proves the wording of nine unknowns, one of them at a board; other effects are not covered.
   CHECK(spoken(jointOffset(), "LKneePitch") == "the left knee pitch");
   CHECK(spoken(jointOffset(), "RElbowYaw") == "the right elbow yaw");
   CHECK(spoken(jointOffset(), "HeadYaw") == "the head yaw");

@@ -6,7 +6,7 @@
 namespace naocal {
 namespace {
 
-/// A robot somewhere in its range, with everything else a little off the drawing too, and a board in front of it.
+/// A robot in a random posture with all other quantities perturbed, and a board in front of its camera.
 struct Scenery {
   Scenery(const std::string& link, unsigned seed)
       : robot{loadRobot(configurationDirectory(), "V6")}, quantities{robot.joints.size(), robot.lengths.size(), 2},
@@ -33,13 +33,13 @@ struct Scenery {
     placeBefore(1.1);
   }
 
-  /// Puts the board square before the camera, at a distance.
+  /// Places the board before the camera, at a distance.
   void placeBefore(double distance) {
     modelState.boardPlacement(1).setZero();
     const LinkPoses torsoFromLink = forwardKinematics(robot, modelState);
     const CameraFrames attitude = view->cameraFrames(robot, modelState, torsoFromLink);
     const RigidTransform opticalFromParent =
-        attitude.opticalFromBoard; // the board's frame is its parent's at zero placement
+        attitude.opticalFromBoard; // at zero placement, the board's frame equals its parent's
     const RigidTransform wanted{rotationX(2.4) * rotationZ(0.5), {-0.2, 0.1, distance}};
     const RigidTransform parentFromBoard = opticalFromParent.inverse() * wanted;
     const Eigen::Matrix3d& r = parentFromBoard.rotation;
@@ -47,7 +47,7 @@ struct Scenery {
         std::atan2(r(1, 0), r(0, 0));
   }
 
-  /// All u and v of the seven corners.
+  /// u and v of all seven corners.
   Eigen::VectorXd predicted(const ModelState& at) const {
     ProjectedBlocks projected;
     const CameraFrames attitude = view->cameraFrames(robot, at, forwardKinematics(robot, at));
@@ -60,7 +60,7 @@ struct Scenery {
     return uv;
   }
 
-  /// The analytic derivative by one quantity.
+  /// Analytic derivative with respect to one quantity.
   Eigen::VectorXd derivative(std::size_t quantity) const {
     const LinkPoses torsoFromLink = forwardKinematics(robot, modelState);
     const CameraFrames attitude = view->cameraFrames(robot, modelState, torsoFromLink);
@@ -93,7 +93,7 @@ struct Scenery {
     return result;
   }
 
-  /// Central differences, extrapolated to step zero (Richardson).
+  /// Central differences with Richardson extrapolation.
   Eigen::VectorXd differences(std::size_t quantity, double step) const {
     const auto central = [&](double h) {
       ModelState above = modelState, below = modelState;
@@ -115,8 +115,8 @@ struct Scenery {
 } // namespace
 
 TEST_CASE("a corner's derivative by every quantity agrees with fine differences") {
-  // Proves the one analytic derivative against the one projection, for floor boards and for targets on the robot, in
-  // attitudes where nothing vanishes by accident. It says nothing of whether the projection itself is right.
+  // Compares the analytic derivative with the projection, for floor boards and targets on the robot, at states where no
+  // derivative vanishes by symmetry. The projection itself is not tested.
   const std::string link = GENERATE("floor", "LWrist", "RSole");
   const unsigned seed = GENERATE(1u, 2u, 3u);
   const Scenery scenery{link, seed};
@@ -134,7 +134,7 @@ TEST_CASE("a corner's derivative by every quantity agrees with fine differences"
 }
 
 TEST_CASE("a corner behind the camera is nowhere in the picture") {
-  // Proves that impossible projections are told, not clipped.
+  // Proves that an impossible projection is reported, not clipped.
   Scenery scenery{"floor", 4};
   scenery.placeBefore(-0.5);
   ProjectedBlocks projected;
@@ -144,8 +144,8 @@ TEST_CASE("a corner behind the camera is nowhere in the picture") {
 }
 
 TEST_CASE("a row that is exposed later sees the joints where they are by then") {
-  // Proves value and slope of the rows' time against pictures of the moved robot, one corner after the other, for
-  // joints that move ten times as fast as at rest. Not how cameras expose.
+  // Compares value and derivative of the row time with projections of the moved robot, corner by corner, for joints
+  // that move ten times as fast as at rest. How real cameras expose is not tested.
   Scenery scenery{"floor", 2};
   constexpr double rowTime = 6e-5, cy = 243;
   Eigen::VectorXd velocity(static_cast<Eigen::Index>(scenery.robot.joints.size()));
@@ -153,7 +153,7 @@ TEST_CASE("a row that is exposed later sees the joints where they are by then") 
     velocity[joint] = 3e-3 * std::sin(static_cast<double>(joint + 1));
   }
   for (CornerBlock& block : scenery.corners) {
-    block.v += 40; // measured: off the predicted row, as always
+    block.v += 40; // measured rows differ from predicted ones
   }
   const LinkPoses torsoFromLink = forwardKinematics(scenery.robot, scenery.modelState);
   CameraFrames attitude = scenery.view->cameraFrames(scenery.robot, scenery.modelState, torsoFromLink);

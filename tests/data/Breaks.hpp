@@ -7,11 +7,11 @@ namespace naocal {
 
 enum class Breaks { file, capture };
 
-/// One way to break the good set: the value at a place (a JSON pointer) becomes another, or goes.
+/// One modification that invalidates the good set: the value at a JSON pointer is replaced or removed.
 struct Break {
   Breaks what;
   std::string place;
-  std::string value; // JSON with ' for "; empty: removed
+  std::string value; // JSON with ' in place of "; empty: removed
   std::vector<std::string> sentence;
 };
 

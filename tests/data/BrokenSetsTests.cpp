@@ -30,7 +30,7 @@ json broken(const Break& how) {
 } // namespace
 
 TEST_CASE("every broken set is refused with a sentence that says where, what was expected and what was found") {
-  // Proves it for one break at a time. That no other break is accepted cannot be proved by examples.
+  // Proves it for the single modifications in the table. Examples cannot prove that every other defect is refused.
   for (const Break& how : breaks()) {
     const std::string sentence = refusal(broken(how).dump());
     INFO(how.place << " = " << how.value << "\n" << sentence);
@@ -45,7 +45,7 @@ TEST_CASE("every broken set is refused with a sentence that says where, what was
 }
 
 TEST_CASE("a capture that cannot be used can be left out; a broken set cannot") {
-  // Proves that skipping leaves out exactly the broken capture, with the sentence that would have refused it.
+  // Proves that exactly the invalid capture is skipped, with the message that would have refused the file.
   for (const Break& how : breaks()) {
     const std::string text = broken(how).dump();
     INFO(how.place << " = " << how.value);
@@ -60,7 +60,7 @@ TEST_CASE("a capture that cannot be used can be left out; a broken set cannot") 
 }
 
 TEST_CASE("boards of one dictionary share no marker") {
-  // Proves it at the border: 17 markers from 0 on leave 17 free, but not 16.
+  // Proves the limit: board A uses 17 markers from id 0, so id 17 is free and id 16 is not.
   json document = goodSet();
   document["boards"][1]["dictionary"] = "DICT_4X4_100";
   document["boards"][1]["firstMarkerId"] = 17;
@@ -70,7 +70,7 @@ TEST_CASE("boards of one dictionary share no marker") {
 }
 
 TEST_CASE("both hip yaw pitch angles may differ by the rounding of a log") {
-  // Proves that the two names of the one motor need not agree to the last digit; the table has the refusal.
+  // Proves that the angles of this one motor may differ in the last digits; the table of breaks tests the refusal.
   json document = goodSet();
   document["captures"][0]["joints"]["measured"] = {0, 0, 0.3, 0.3015};
   CHECK(refusal(document.dump()) == "not refused");

@@ -17,7 +17,7 @@ std::string replaced(std::string text, const std::string& part, const std::strin
 } // namespace
 
 TEST_CASE("broken syntax is refused with line and column") {
-  // Proves it for the usual slips; the parser's own words follow and are not pinned.
+  // Proves line and column for common syntax errors; the JSON parser's own message is not tested.
   CHECK_THAT(refusal(""), Catch::Contains("captures.json: expected valid JSON") && Catch::Contains("line 1, column 1"));
   CHECK_THAT(refusal("{\n \"format\" \"x\"}"), Catch::Contains("line 2, column 13"));
   CHECK_THAT(refusal("{\n \"format\": \"x\",\n}"), Catch::Contains("line 3, column 1"));
@@ -29,14 +29,14 @@ TEST_CASE("broken syntax is refused with line and column") {
 }
 
 TEST_CASE("a key that occurs twice is refused with its place") {
-  // Proves it at the top, in an object and in a list's entry; which of both values was meant nobody can know.
+  // Proves it at the top level, in an object and in a list element.
   CHECK_THAT(refusal(R"({"a": 1, "a": 1})"), Catch::Contains("top level") && Catch::Contains("\"a\" twice"));
   CHECK_THAT(refusal(R"({"b": {"a": 1, "c": {"a": 2}, "a": 1}})"), Catch::Contains("json: b:"));
   CHECK_THAT(refusal(R"({"captures": [{"a": 1}, {"a": [{}, 2], "a": 1}]})"), Catch::Contains("captures[1]:"));
 }
 
 TEST_CASE("a number literal that JSON does not know spoils its capture only") {
-  // Proves it for what Python writes; texts that contain the same letters are not touched.
+  // Proves it for the literals that Python writes; strings that contain them are unchanged.
   const std::string text = goodSet().dump();
   for (const char* literal : {"NaN", "Infinity", "-Infinity"}) {
     const std::string broken = replaced(text, "-0.21", literal);
@@ -51,7 +51,7 @@ TEST_CASE("a number literal that JSON does not know spoils its capture only") {
 }
 
 TEST_CASE("a truncated file is refused") {
-  // Proves that a file cut at any 50th byte is refused as broken syntax and does no harm.
+  // Proves that a file cut at every 50th byte is refused as invalid JSON.
   const std::string text = formatCaptureSet(parseCaptureSet(goodSet().dump(), "set").set);
   for (std::size_t length = 0; length + 2 < text.size(); length += 50) {
     INFO(length);

@@ -4,7 +4,7 @@
 
 namespace naocal {
 
-/// A set that uses every feature of the format once, and no key that the format does not know.
+/// A set that uses every feature of the format once and has no unknown keys.
 inline nlohmann::json goodSet() {
   return nlohmann::json::parse(R"({
     "format": "naocal-captures", "version": 1,

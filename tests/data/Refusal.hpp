@@ -7,7 +7,7 @@
 
 namespace naocal {
 
-/// The sentence with which a text is refused as capture set.
+/// The message of the InputError for a capture set's text; "not refused" if there is none.
 inline std::string refusal(const std::string& text) {
   try {
     parseCaptureSet(text, "some/captures.json");

@@ -21,7 +21,7 @@ json written(const CaptureSet& set) {
   return json::parse(formatCaptureSet(set));
 }
 
-/// Whether all that `original` says stands in `copy`, too (which may say defaults beside it).
+/// Whether `copy` contains everything in `original`; it may contain additional defaults.
 bool holds(const json& copy, const json& original) {
   if (original.is_object()) {
     return copy.is_object() && std::all_of(original.items().begin(), original.items().end(), [&](const auto& item) {
@@ -38,7 +38,7 @@ bool holds(const json& copy, const json& original) {
 } // namespace
 
 TEST_CASE("what a set's file says is read into the set") {
-  // Proves the meaning of every key of a set that uses all features. Refusals are tested elsewhere.
+  // Proves the meaning of the keys of a set that uses all features. Refusals are tested in BrokenSetsTests.
   const CaptureSet set = read(goodSet());
   CHECK(set.name == "set");
   CHECK(set.model == "V6");
@@ -87,7 +87,7 @@ TEST_CASE("what a set's file says is read into the set") {
 }
 
 TEST_CASE("inner corners count along the rows, with y up the sheet") {
-  // Proves corner 7 of a sheet 7 squares wide against the format's formula, worked out by hand.
+  // Proves corner 7 of a sheet 7 squares wide against values calculated by hand from the format's formula.
   const auto corners = innerCorners({.squaresX = 7, .squaresY = 5, .squareLength = 0.08});
   REQUIRE(corners.size() == 24);
   CHECK((corners[0] - Eigen::Vector3d{0.08, -0.08, 0}).norm() < 1e-15);
@@ -96,7 +96,7 @@ TEST_CASE("inner corners count along the rows, with y up the sheet") {
 }
 
 TEST_CASE("a set that is written says what the set that was read said") {
-  // Proves that reading and writing lose nothing of any feature, and that writing again changes nothing.
+  // Proves that no feature is lost in a round trip, and that a second round trip changes nothing.
   const CaptureSet set = read(goodSet());
   const json copy = written(set);
   CHECK(holds(copy, goodSet()));
@@ -104,7 +104,7 @@ TEST_CASE("a set that is written says what the set that was read said") {
 }
 
 TEST_CASE("keys that are unknown are kept wherever they stand, also when the rest changes") {
-  // Proves it for every object of the format; keys inside a list of numbers do not exist.
+  // Proves it for every object of the format. Lists of numbers have no keys.
   json document = goodSet();
   for (const char* place :
        {"", "/robot", "/cameras/top", "/boards/0", "/boards/1", "/boards/0/placement", "/boards/1/placementGuess",
@@ -125,7 +125,7 @@ TEST_CASE("keys that are unknown are kept wherever they stand, also when the res
 }
 
 TEST_CASE("numbers keep every bit") {
-  // Proves it for numbers that short decimals cannot hold, the smallest and the largest that the format allows.
+  // Proves it for numbers without a short decimal, the smallest denormal and a time near the format's maximum.
   CaptureSet set = read(goodSet());
   const double smallest = std::numeric_limits<double>::denorm_min();
   set.captures[0].joints.measured = {0.1 + 0.2, std::nextafter(1.0, 2.0), smallest, smallest};
@@ -136,7 +136,7 @@ TEST_CASE("numbers keep every bit") {
 }
 
 TEST_CASE("a set made in code can be written and read") {
-  // Proves that a set needs nothing that only reading gives.
+  // Proves that writing does not require anything that only the reader sets.
   CaptureSet set;
   set.jointNames = {"HeadYaw"};
   set.cameras["top"] = {.fx = 500, .fy = 500};
@@ -159,7 +159,7 @@ TEST_CASE("a set made in code can be written and read") {
 }
 
 TEST_CASE("every set of real measurements is read, and written without loss") {
-  // Proves it for the sets of other writers, where they are at hand; their content is not judged.
+  // Proves it for sets of other programs, where available; their content is not judged.
   for (const char* folder : {"nao-freiburg-2014", "conformance"}) {
     const auto sets = sharedData(folder);
     if (!sets) {

@@ -12,7 +12,7 @@ struct Spread {
   double foundShare = 0;
 };
 
-/// Boards of A2 size at one distance, tilt and picture width, turned at random.
+/// Corner errors of boards at one distance, tilt and image width, at random orientations.
 Spread spread(int width, double square, double distance, double tilt, int frames, const CameraIntrinsics& camera) {
   CharucoPattern pattern;
   pattern.squareLength = square;
@@ -47,7 +47,7 @@ Spread spread(int width, double square, double distance, double tilt, int frames
 } // namespace
 
 // Proves unbiasedness, precision and the absence of gross errors in standard conditions (blur 0.7 px, noise 3 grey
-// levels), from near to the edge of sight. Not: real lenses' blur, motion, demosaicing, sharpening.
+// levels), up to the limit of visibility. Not covered: blur of real lenses, motion, demosaicing, sharpening.
 TEST_CASE("corners are unbiased and precise wherever a board is found", "[slow]") {
   struct Row {
     int width;
@@ -64,12 +64,14 @@ TEST_CASE("corners are unbiased and precise wherever a board is found", "[slow]"
   }
 }
 
-// Proves that the search goes on from few readable markers. Not how often not a single one is readable further away.
+// Proves that the search continues from few readable markers. Not covered: larger distances, where no marker is
+// readable.
 TEST_CASE("an A2 board flat on the floor at 1.3 m yields most of its corners at 640 x 480") {
   CHECK(spread(640, 0.08, 1.3, 0, 20, plainCamera()).foundShare > 0.6);
 }
 
-// Proves that corners are predicted through the lens. Not that a wrong description of the lens is harmless everywhere.
+// Proves that corners are predicted through the lens model, and for one lens that a wrong lens model still gives all
+// corners.
 TEST_CASE("a lens with distortion costs no accuracy, described or not") {
   CameraIntrinsics bent = plainCamera();
   bent.distortion = {-0.25, 0.08, 0.001, -0.002, 0};

@@ -5,8 +5,8 @@
 
 namespace naocal {
 
-// Proves that boards of one dictionary are told apart by their marker ids, in both pictures' sizes, and that a board
-// that is listed but absent is not invented.
+// Proves that boards of one dictionary are identified by their marker ids, at both image sizes, and that an absent
+// board is not reported.
 TEST_CASE("several boards in one picture are each found under their own name") {
   for (const int width : {640, 1280}) {
     CharucoPattern patternA, patternB, patternC;
@@ -27,13 +27,13 @@ TEST_CASE("several boards in one picture are each found under their own name") {
   }
 }
 
-// Proves that hidden corners are listed and none is invented or drawn aside by the cover's edge.
+// Proves that hidden corners are listed as issues, and that no corner is invented or shifted by the cover's edge.
 TEST_CASE("a partly hidden board gives the corners that can be seen and names the others") {
   const RenderedBoard board = boardOnFloor({}, 0.8, 15);
   const CameraIntrinsics camera = plainCamera();
   const BoardCorners truth = trueCorners(board, camera);
   for (const double brightness : {0., 0.5, 1.}) {
-    const Patch cover = patchOn(board, 0.15, -0.2, {0.2, 0.5}, brightness); // hides columns 1 to 3 of the corners
+    const Patch cover = patchOn(board, 0.15, -0.2, {0.2, 0.5}, brightness); // hides corner columns 0 to 2
     const Detection detection =
         detectBoards(Renderer{camera}.render({{board}, {cover}}, {}, 1), {described("A", board.pattern)}, camera);
     REQUIRE(detection.boards.size() == 1);
@@ -47,13 +47,13 @@ TEST_CASE("a partly hidden board gives the corners that can be seen and names th
   }
 }
 
-// Proves that a crossing that looks like a corner but lies 4 mm aside is found by geometry and reported with its place.
+// Proves that a corner-like crossing 4 mm off is rejected by geometry and reported with its position.
 TEST_CASE("a false corner is reported and not taken") {
   const RenderedBoard board = boardOnFloor({}, 0.7, 10);
   const double s = board.pattern.squareLength, shift = 0.004;
-  const int id = 6 * 2 + 3; // between columns 3 and 4, rows 2 and 3
+  const int id = 6 * 2 + 3; // column 3, row 2
   const double x = 4 * s + shift, y = -3 * s + shift;
-  // Four small squares, printed anew around the shifted place: (column + row) even is black.
+  // Four small squares around the shifted crossing: black if (column + row) is even.
   const Eigen::Vector2d size{0.03, 0.03};
   std::vector<Patch> fake;
   for (const int right : {0, 1}) {
@@ -75,7 +75,8 @@ TEST_CASE("a false corner is reported and not taken") {
   CHECK((*finding->place - *fakePlace).norm() < 0.3);
 }
 
-// Proves that something round lying on a corner does not shift it: it is reported. Not that every blob size is noticed.
+// Proves that a dark square patch on a corner does not shift it: the corner is reported instead. Other sizes are not
+// covered.
 TEST_CASE("a dark thing on a corner takes that corner away and no other") {
   const RenderedBoard board = boardOnFloor({}, 0.7, 10);
   const double s = board.pattern.squareLength;
@@ -89,8 +90,8 @@ TEST_CASE("a dark thing on a corner takes that corner away and no other") {
   CHECK(findingAbout(detection, 6 * 1 + 2) != nullptr);
 }
 
-// Proves that edges of things beside a corner do not draw it aside unnoticed: six things lie about on each board.
-// Not that every corner beside a thing is refused: up to 0.5 px may pass.
+// Proves that edges of objects next to corners shift no accepted corner by 0.5 px or more: six objects on each board.
+// Smaller shifts may pass.
 TEST_CASE("things lying about on a board do not draw its corners aside") {
   const CameraIntrinsics camera = plainCamera();
   std::mt19937 random{1};
@@ -115,8 +116,8 @@ TEST_CASE("things lying about on a board do not draw its corners aside") {
   CHECK(found > 15 * 24 * 3 / 4);
 }
 
-// Proves that the two patterns for even row counts are told apart in both directions, far and partly hidden, and that
-// the right description of either is measured well.
+// Proves that the two patterns for even row counts are distinguished in both directions, at two distances and partly
+// hidden, and that the correct description is measured accurately.
 TEST_CASE("a board in the other pattern is named and not measured") {
   const CameraIntrinsics camera = plainCamera();
   for (const bool legacy : {false, true}) {
@@ -145,7 +146,7 @@ TEST_CASE("a board in the other pattern is named and not measured") {
   }
 }
 
-// Proves that for odd row counts, where both patterns are the same sheet, the statement does not matter.
+// Proves that for odd row counts, where both patterns are identical, the `legacyPattern` flag has no effect.
 TEST_CASE("a board with an odd number of rows has only one pattern") {
   CharucoPattern stated;
   stated.legacyPattern = true;
@@ -157,7 +158,7 @@ TEST_CASE("a board with an odd number of rows has only one pattern") {
   CHECK(detection.findings.empty());
 }
 
-// Proves that a description with another number of columns is not forced upon the picture.
+// Proves that a description with a different number of columns is rejected.
 TEST_CASE("a board that is printed otherwise than described gives no corners and says so") {
   CharucoPattern stated;
   stated.squaresX = 6;
@@ -169,7 +170,7 @@ TEST_CASE("a board that is printed otherwise than described gives no corners and
   CHECK(contains(detection, IssueKind::otherBoard));
 }
 
-// Proves the plain cases around: nothing there, another board there, a picture of the wrong size.
+// Proves three simple cases: no board, an unlisted board, a wrong image size.
 TEST_CASE("an empty picture, a stranger's board and a wrong size are each said plainly") {
   const CameraIntrinsics camera = plainCamera();
   const Renderer renderer{camera};

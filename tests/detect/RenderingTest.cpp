@@ -9,10 +9,10 @@ namespace {
 
 constexpr int pixelsPerSquare = 96;
 
-/// A board seen straight from above, `pixelsPerSquare` large: the sheet itself.
+/// A board seen vertically from above, `pixelsPerSquare` pixels per square.
 GreyPicture sheet(const CharucoPattern& pattern) {
   const int width = pattern.squaresX * pixelsPerSquare, height = pattern.squaresY * pixelsPerSquare;
-  const double focal = pixelsPerSquare / pattern.squareLength; // at one metre
+  const double focal = pixelsPerSquare / pattern.squareLength; // at a distance of 1 m
   const CameraIntrinsics camera{width, height, focal, focal, -0.5, -0.5, {}};
   Eigen::Matrix3d opticalFromBoard = Eigen::Vector3d{1, -1, -1}.asDiagonal();
   Appearance plain;
@@ -24,8 +24,8 @@ GreyPicture sheet(const CharucoPattern& pattern) {
 
 } // namespace
 
-// Proves that the rendered sheet is OpenCV's, cell by cell, for odd and even row counts, and that the legacy pattern
-// differs where it should. The drawing by OpenCV is a pixel off here and there, hence the small share.
+// Compares the rendered sheet with OpenCV's, pixel by pixel, for odd and even row counts; the legacy pattern must
+// differ for even ones. OpenCV's drawing is off by a pixel in places, hence the tolerance of 1 %.
 TEST_CASE("a rendered board is the sheet that OpenCV draws") {
   for (const auto& [squaresX, squaresY] : {std::pair{7, 5}, std::pair{6, 4}}) {
     CharucoPattern pattern;
@@ -50,8 +50,8 @@ TEST_CASE("a rendered board is the sheet that OpenCV draws") {
   }
 }
 
-// Proves that a board's centre of brightness falls where the projection says, lens distortion included: an edge between
-// dark and bright crosses the mean grey within 0.03 px of the projected one.
+// Proves that an edge is rendered where the projection puts it, including lens distortion: its sub-pixel position in an
+// image row is within 0.03 px.
 TEST_CASE("a rendered edge lies where its points project to") {
   CameraIntrinsics camera = plainCamera();
   camera.distortion = {-0.2, 0.05, 0.002, -0.001, 0.01};
@@ -66,7 +66,7 @@ TEST_CASE("a rendered edge lies where its points project to") {
     const auto edge = projectOptical(opticalFromPatch * Eigen::Vector3d{-0.2, share * 0.3, 0}, camera);
     REQUIRE(edge);
     const int y = int(std::lround(edge->y()));
-    // Along the pixel row, the edge crosses where the dark pixels' light is used up.
+    // The light integrated along the row gives the crossing's sub-pixel position.
     const auto beside = projectOptical(opticalFromPatch * Eigen::Vector3d{-0.2, share * 0.3 + 0.01, 0}, camera);
     const double crossing = edge->x() + (y - edge->y()) * (beside->x() - edge->x()) / (beside->y() - edge->y());
     double light = 0;
@@ -80,10 +80,9 @@ TEST_CASE("a rendered edge lies where its points project to") {
   }
 }
 
-// Proves that pixels which are taken to be of one brightness throughout, without sampling them, are so: every pixel of
-// every seventh row of a moving picture (a tilted board, another behind it, a patch across both) is its mean over 2304
-// rays and instants, but for what 16 samples at edges scatter by. A feature missed by the shortcut would be off by
-// more.
+// Validates the shortcut for pixels of uniform brightness: every pixel of every seventh row of a moving scene (a tilted
+// board, another behind it, a patch across both) equals its mean over 2304 rays and times, apart from the scatter of 16
+// samples at edges. A feature missed by the shortcut would exceed the limits.
 TEST_CASE("a rendered pixel is the mean over its area and the time of its exposure") {
   const CameraIntrinsics camera{200, 150, 180, 180, 99.5, 74.5, {}};
   Appearance plain;
@@ -133,7 +132,7 @@ TEST_CASE("a rendered pixel is the mean over its area and the time of its exposu
 }
 
 TEST_CASE("the same seed renders the same picture and another seed does not") {
-  // Proves repeatability on one machine. Not across standard libraries, whose normal distributions differ.
+  // Proves repeatability on one machine. Other standard libraries have other normal distributions.
   const Renderer renderer{plainCamera()};
   const RenderedScene scene{{boardOnFloor({}, 0.7, 10)}, {}};
   CHECK(renderer.render(scene, {}, 7).pixels == renderer.render(scene, {}, 7).pixels);

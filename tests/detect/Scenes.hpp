@@ -10,14 +10,14 @@
 
 namespace naocal {
 
-/// A camera without distortion; the focal length is 7/8 of the width: 560 px at 640 x 480.
+/// A camera without distortion; focal length = 7/8 of the width, 560 px at 640 x 480.
 inline CameraIntrinsics plainCamera(int width = 640) {
   const int height = width * 3 / 4;
   return {width, height, width * 0.875, width * 0.875, (width - 1) / 2., (height - 1) / 2., {}};
 }
 
-/// A board with its centre at (sideways, distance) on the floor [m], turned by `yaw` and propped up by `tilt` [deg],
-/// before a camera 0.5 m above the floor that aims at (0, distance).
+/// A board centred at (sideways, distance) on the floor [m], rotated by `yaw` and tilted by `tilt` [deg], before a
+/// camera 0.5 m above the floor that points at (0, distance).
 inline RenderedBoard boardOnFloor(const CharucoPattern& pattern, double distance, double yaw, double tilt = 0,
                                   double sideways = 0) {
   const Eigen::Matrix3d rotation = rotationX(radians(tilt)) * rotationZ(radians(yaw));
@@ -40,12 +40,12 @@ inline Board described(const std::string& id, const CharucoPattern& pattern) {
   return board;
 }
 
-/// A flat patch with its middle on a board, at (x, y) in its frame, just above the paper.
+/// A flat patch centred at (x, y) in the board's frame, just above the sheet.
 inline Patch patchOn(const RenderedBoard& board, double x, double y, const Eigen::Vector2d& size, double brightness) {
   return {board.cameraOpticalFromBoard * RigidTransform{Eigen::Matrix3d::Identity(), {x, y, 0}}, size, brightness};
 }
 
-/// Detected minus true, for the corners that are in the truth.
+/// Detected minus true position [px], for the corners in the truth.
 inline std::vector<Eigen::Vector2d> errors(const BoardCorners& detected, const BoardCorners& truth) {
   std::vector<Eigen::Vector2d> result;
   for (std::size_t i = 0; i < detected.ids.size(); ++i) {

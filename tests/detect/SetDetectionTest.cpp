@@ -10,7 +10,7 @@
 namespace naocal {
 namespace {
 
-/// Three pictures of one board in a folder of their own, a capture without a picture, and a mark that no picture shows.
+/// Three images of one board in a temporary folder, a capture without an image, and a mark without a pattern.
 struct Recorded {
   std::filesystem::path folder = std::filesystem::temp_directory_path() / ("naocal-set-" + std::to_string(getpid()));
   CaptureSet set;
@@ -43,7 +43,8 @@ bool always(std::size_t, std::size_t) {
 
 } // namespace
 
-// Proves what is replaced and what stays, and that the number of threads changes nothing. Not the file's format.
+// Proves which corners are replaced and kept, and that the result is independent of the number of threads. The file
+// format is not tested.
 TEST_CASE("corners of a set are found anew where a picture was kept") {
   Recorded one, several;
   const SetDetection detection = detectInSet(one.set, one.folder, 1, always);
@@ -61,7 +62,7 @@ TEST_CASE("corners of a set are found anew where a picture was kept") {
   CHECK(one.set.captures[3].corners->front().ids.size() == 1);
 }
 
-// Proves that a picture that cannot be used is named and leaves its capture alone.
+// Proves that each unusable image is reported and its capture unchanged.
 TEST_CASE("a missing, a broken and a wrongly sized picture are named and touch nothing") {
   Recorded recorded;
   std::filesystem::remove(recorded.folder / "0.png");
@@ -78,7 +79,7 @@ TEST_CASE("a missing, a broken and a wrongly sized picture are named and touch n
   }
 }
 
-// Proves that a stop keeps what was found so far and leaves the rest as it was.
+// Proves that cancelling keeps the results so far and leaves the remaining captures unchanged.
 TEST_CASE("a search that is stopped leaves later captures as they were") {
   Recorded recorded;
   detectInSet(recorded.set, recorded.folder, 1, [](std::size_t, std::size_t) { return false; });

@@ -23,8 +23,8 @@ double& angle(const CaptureSet& set, Capture& capture, const std::string& joint)
 } // namespace
 
 TEST_CASE("a bad capture is found although an effect hides more", "[slow]") {
-  // Proves that accidents are looked for again once what was missing is in the model: the knee's gain is off by 4 %,
-  // and one capture's head was elsewhere by 1.5 degrees.
+  // Proves that data checks are repeated after adding the missing effect: the knee's gain is off by 4 %, and one
+  // capture's head angle by 1.5 degrees.
   CaptureSet set = simulatedSet(16, 4);
   for (Capture& capture : set.captures) {
     angle(set, capture, "LKneePitch") *= 0.96;
@@ -42,8 +42,8 @@ TEST_CASE("a bad capture is found although an effect hides more", "[slow]") {
 }
 
 TEST_CASE("angles that were wrong for a moment are an accident and no physics", "[slow]") {
-  // Proves it of one picture's angles, of both cameras' in one approach, and of all of a pose, each by 2 degrees at the
-  // knee: these captures are named, and no others.
+  // Proves it for a 2-degree knee error in one image, in all images of one approach, and in all images of one pose:
+  // exactly these captures are named.
   const CaptureSet good = simulatedSet(16, 4);
   const std::string pose = good.captures[42].pose;
   const int repeat = good.captures[42].repeat;
@@ -71,7 +71,7 @@ TEST_CASE("angles that were wrong for a moment are an accident and no physics", 
 }
 
 TEST_CASE("two pictures that were swapped are named, and not the set-up", "[slow]") {
-  // Proves that a few pictures with errors of hundreds of pixels do not speak for all others.
+  // Proves that a few images with errors of hundreds of pixels do not make the whole set look wrong.
   CaptureSet set = simulatedSet(16, 4);
   Capture &one = set.captures[10], &other = set.captures[60];
   std::swap(one.corners, other.corners);
@@ -85,8 +85,8 @@ TEST_CASE("two pictures that were swapped are named, and not the set-up", "[slow
 }
 
 TEST_CASE("a robot that slipped before its last poses is named, although these boards lost their weight", "[slow]") {
-  // Proves that a fit of all corners is asked where whole boards do not fit: before the last of 16 poses all boards are
-  // 40 mm to the left, which is the robot 40 mm to the right. The board that is seen there may as well have been moved.
+  // Proves that the check uses a fit with all corners if whole boards are rejected as outliers: before the last of 16
+  // poses all boards move 40 mm to the left, which is equivalent to the robot moving 40 mm to the right.
   const Robot robot = loadRobot(configurationDirectory(), "V6");
   SimulationPlan plan;
   plan.poses = planStandingPoses(robot, plan, SupportFoot::left, 16, 1);
@@ -118,8 +118,9 @@ TEST_CASE("a robot that slipped before its last poses is named, although these b
 }
 
 TEST_CASE("a robot that was put down anew half a metre away is named with the time, not another pattern", "[slow]") {
-  // Proves it where no search can start, or ends behind a camera: from some capture on all boards lie elsewhere, which
-  // is the robot that does; what was seen on both sides of the moment bounds it.
+  // Proves it where the search cannot start, or ends with corners behind the camera: from one capture on, all boards
+  // are elsewhere, which is equivalent to a moved robot. The reported time interval must contain the moment; its width
+  // is not tested.
   const auto [poses, shift, turn, share] =
       GENERATE(std::tuple{std::size_t{16}, 1.0, 0.7, 0.6}, std::tuple{std::size_t{8}, 0.3, 0.7, 0.3});
   const Robot robot = loadRobot(configurationDirectory(), "V6");
@@ -151,7 +152,8 @@ TEST_CASE("a robot that was put down anew half a metre away is named with the ti
 }
 
 TEST_CASE("squares of another size are told with their size, and nothing else", "[slow]") {
-  // Proves the size where the linearised estimate falls short of it: the file says 11 % more than was printed.
+  // Proves the reported size where the linearised estimate falls short: the file's squares are 11 % larger than the
+  // printed ones.
   CaptureSet set = simulatedSet(16, 4);
   for (Board& board : set.boards) {
     for (Eigen::Vector3d& point : board.points) {
@@ -170,8 +172,8 @@ TEST_CASE("squares of another size are told with their size, and nothing else", 
 }
 
 TEST_CASE("where the alarm stands but nothing is likely, a diagnosis does not call the model adequate", "[slow]") {
-  // Proves that the best candidate is named instead, with the verdict inconclusive. (An alarm of 100 % always stands;
-  // of few candidates rarely one is likely where nothing is hidden.)
+  // Proves that the best candidate is named instead, with the verdict inconclusive. The alarm level of 100 % always
+  // raises an alarm; with few candidates and no hidden effect, rarely is one of them likely.
   DiagnosisOptions options;
   options.alarm = 1;
   options.candidateTests.map = false;

@@ -7,9 +7,9 @@
 namespace naocal {
 
 TEST_CASE("the slope over an added-variable plot's poses is the candidate's estimate") {
-  // Proves the reduction to one point per pose for every candidate: slope and sigma are those of the evidence, and what
-  // is left of a signature is at right angles to the own effect that resembles it most, so that poses stand on both
-  // sides. That the evidence is right is proved with it.
+  // Proves the reduction to one point per pose for every candidate: slope and sigma equal those of the evidence. The
+  // signature is orthogonal to the most similar unknown of the model, so poses lie on both sides of zero. The evidence
+  // itself is tested elsewhere.
   const Questioned asked{simulatedSet(8, 3), false};
   int compared = 0;
   for (std::size_t i = 0; i < asked.candidateTests.candidates().size(); ++i) {
@@ -18,7 +18,7 @@ TEST_CASE("the slope over an added-variable plot's poses is the candidate's esti
     CHECK(plot.has_value() == (evidence.freedom > 0));
     const double plausible = asked.candidateTests.candidates()[i].effect.unknowns.front().sigma;
     if (!plot || std::sqrt(evidence.covariance(0, 0)) > 3 * plausible) {
-      continue; // hardly measured: then the evidence leans on what is plausible, which the plot leaves out
+      continue; // poorly determined: the evidence depends on the prior, the plot does not
     }
     INFO(asked.candidateTests.candidates()[i].label());
     const double size = evidence.estimate.size() == 1 ? evidence.estimate[0] : 1;
@@ -36,9 +36,8 @@ TEST_CASE("the slope over an added-variable plot's poses is the candidate's esti
 }
 
 TEST_CASE("a hidden flaw moves every pose along its added-variable line") {
-  // Proves what a person reads off the plot, nonlinear and with everything refitted: readings that count 0.4 % too
-  // little move each pose's point up by 0.004 times its signature. It does not prove that noise leaves the line
-  // visible.
+  // Proves the plot's interpretation, nonlinear and with everything refitted: readings scaled by 1/1.004 raise each
+  // pose's point by 0.004 times its signature. Visibility above the noise is not tested.
   constexpr double gain = 0.004;
   const CaptureSet plain = simulatedSet(8, 3);
   CaptureSet flawed = plain;

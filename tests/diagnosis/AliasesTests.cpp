@@ -8,8 +8,8 @@
 namespace naocal {
 
 TEST_CASE("a candidate that is like another keeps little once that one is in the model") {
-  // Proves the correlations by another way: added to the model, one candidate leaves of the other's information the
-  // part 1 - correlation^2. With one level of noise, as information depends on it.
+  // Cross-checks the correlations: adding one candidate to the model reduces the other's information by the factor 1 -
+  // correlation^2. All tests use one noise level, since information depends on it.
   const CaptureSet set = simulatedSet(8, 3);
   Questioned asked{set, false};
   asked.fit.noise.pose = 4e-4;
@@ -29,7 +29,7 @@ TEST_CASE("a candidate that is like another keeps little once that one is in the
   const double measured = own / (own + std::pow(candidates[0].effect.unknowns[0].sigma, -2));
   for (std::size_t i = 1; i < labels.size(); ++i) {
     const Model larger = buildModel(asked.measurements, {labels[0]});
-    CalibrationResult fit = asked.fit; // taken over: what is compared does not depend on where
+    CalibrationResult fit = asked.fit; // reused: the comparison does not depend on the linearisation point
     fit.state.unknowns = mapParameters(asked.model, asked.fit.unknowns, larger);
     const CandidateTests with{{asked.measurements, larger, fit}, {candidates[i]}, options};
     const Eigen::Index place = without.problem().groups[i].first;

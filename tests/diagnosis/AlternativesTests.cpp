@@ -7,8 +7,8 @@
 namespace naocal {
 
 TEST_CASE("evident effects that do different things to the pictures are never each other's alternatives", "[slow]") {
-  // Proves that two effects that are both there, with about the same evidence, are not called one that cannot be told
-  // from the other: gains of the head and of the knee are off.
+  // Proves that two effects that are both present, with similar evidence, are not reported as equivalent unless their
+  // signatures correlate: gains of head and knee are both off by 3 %.
   CaptureSet set = simulatedSet(16, 4);
   const auto scaled = [&](const char* joint, double factor) {
     const auto found = std::find(set.jointNames.begin(), set.jointNames.end(), joint) - set.jointNames.begin();
@@ -35,8 +35,8 @@ TEST_CASE("evident effects that do different things to the pictures are never ea
 }
 
 TEST_CASE("play that load never holds cannot be told from hysteresis, and is told from it where load does", "[slow]") {
-  // Proves that a law with a threshold is compared with its limits by fits: the head's weight never exceeds friction,
-  // the knee's nearly always does.
+  // Proves that an effect with a threshold is compared with its limiting cases by fits: the head's torque never exceeds
+  // friction, the knee's nearly always does.
   const std::string joint = GENERATE("HeadPitch", "LKneePitch");
   const bool alike = joint == "HeadPitch";
   CaptureSet set = simulatedSet(16, 4);

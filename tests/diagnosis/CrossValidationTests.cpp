@@ -20,7 +20,7 @@ std::vector<std::vector<std::size_t>> everyCandidate(const Questioned& asked) {
 
 TEST_CASE("the best of many candidates seems to lower the error of unseen poses, one chosen without them does not",
           "[slow]") {
-  // Proves, on robots with nothing hidden, why the choice belongs inside the folds, and that it is made there.
+  // Proves, for robots without hidden effects, that selection outside the folds is biased and that it is done inside.
   int lured = 0;
   double before = 0, next = 0;
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
@@ -28,7 +28,7 @@ TEST_CASE("the best of many candidates seems to lower the error of unseen poses,
     const auto held = crossValidate(asked.candidateTests, asked.model, {}, everyCandidate(asked));
     REQUIRE(held);
     lured += *std::min_element(held->afterPx.begin(), held->afterPx.end()) < held->beforePx;
-    CHECK(held->chosenPx == held->beforePx); // nothing was chosen
+    CHECK(held->chosenPx == held->beforePx); // no effect was selected
     before += held->beforePx;
     next += held->nextPx;
   }
@@ -37,8 +37,8 @@ TEST_CASE("the best of many candidates seems to lower the error of unseen poses,
 }
 
 TEST_CASE("an effect that is there is chosen in every fold, one that is not is no better than its choice", "[slow]") {
-  // Proves that an effect of the model is taken out and chosen anew: with it where it explains the misfit; without it,
-  // whatever it does on the poses that it was chosen on, where it does not.
+  // Proves that an effect of the model is removed and selected anew in every fold: it is selected if it explains the
+  // misfit; otherwise the folds choose another.
   CaptureSet set = simulatedSet(16, 3);
   const auto knee = std::find(set.jointNames.begin(), set.jointNames.end(), "LKneePitch") - set.jointNames.begin();
   for (Capture& capture : set.captures) {
@@ -52,14 +52,14 @@ TEST_CASE("an effect that is there is chosen in every fold, one that is not is n
   REQUIRE((base && right && other));
   CHECK(right->chosenPx < 0.8 * base->chosenPx);
   CHECK(right->chosenPx == Approx(right->beforePx).epsilon(0.02));
-  CHECK(base->nextPx == Approx(right->chosenPx).epsilon(0.1)); // but for the linearisation
-  CHECK(other->chosenPx < 0.9 * other->beforePx);              // the folds choose the gain of the knee instead
+  CHECK(base->nextPx == Approx(right->chosenPx).epsilon(0.1)); // up to linearisation
+  CHECK(other->chosenPx < 0.9 * other->beforePx);              // the folds select the knee's gain instead
 }
 
 TEST_CASE("what only priors tell is not fitted to the poses that are to be predicted", "[slow]") {
-  // Proves that poses are predicted worse than they are fitted, also with an effect that looks at torques: it brings
-  // the offsets of arms along, of which pictures tell next to nothing. Fitted to the fold itself they took its encoder
-  // noise away, and the held-out error lay below the noise floor.
+  // Proves that the held-out error exceeds the fit's, also with an effect that depends on torques. That effect adds the
+  // offsets of the arms, which images hardly determine; fitted to the held-out fold, they would absorb its encoder
+  // noise and bring the held-out error below the noise floor.
   const Questioned asked{simulatedSet(16, 3), false, {"elasticity@LKneePitch"}};
   const auto held = crossValidate(asked.candidateTests, asked.model, {}, {});
   REQUIRE(held);
@@ -68,8 +68,8 @@ TEST_CASE("what only priors tell is not fitted to the poses that are to be predi
 }
 
 TEST_CASE("where a single pose says how two stances lie, it is not predicted from the others", "[slow]") {
-  // Proves that a direction of the placements that the other folds do not tell is learned from the fold itself: its
-  // error would be hundreds of pixels, and no effect could lower it.
+  // Proves that a placement direction which the other folds do not determine is estimated from the held-out fold
+  // itself. Otherwise its error would be hundreds of pixels, which no effect could reduce.
   CaptureSet set = simulatedSet(16, 3);
   std::map<std::string, int> seen;
   for (const Capture& capture : set.captures) {
@@ -114,7 +114,7 @@ TEST_CASE("where a single pose says how two stances lie, it is not predicted fro
 }
 
 TEST_CASE("of one pose none is left to try the fit on") {
-  // Proves that an error of the fit itself is not called one on unseen poses.
+  // Proves that the fit's error is not reported as a held-out error if there is only one pose.
   const Questioned asked{simulatedSet(1, 3), false};
   CHECK_FALSE(crossValidate(asked.candidateTests, asked.model, {}, {}));
 }

@@ -20,7 +20,7 @@ Diagnosis diagnosed(const CaptureSet& set) {
   return diagnose(measurements);
 }
 
-/// A joint's readings, changed.
+/// Applies a function to a joint's readings.
 CaptureSet withReadings(CaptureSet set, const std::string& joint, const std::function<double(double)>& change) {
   const auto index =
       static_cast<std::size_t>(std::find(set.jointNames.begin(), set.jointNames.end(), joint) - set.jointNames.begin());
@@ -30,7 +30,7 @@ CaptureSet withReadings(CaptureSet set, const std::string& joint, const std::fun
   return set;
 }
 
-/// The pictures of one camera, shifted downwards as it looks up [px].
+/// Shifts the images of one camera downwards over time, as if it turned upwards [px].
 CaptureSet withLookingUp(CaptureSet set, const std::string& camera, const std::function<double(double)>& shift) {
   for (Capture& capture : set.captures) {
     if (capture.camera == camera) {
@@ -44,7 +44,7 @@ CaptureSet withLookingUp(CaptureSet set, const std::string& camera, const std::f
   return set;
 }
 
-/// First capture to last [s].
+/// Times of the first and last capture [s].
 std::pair<double, double> span(const CaptureSet& set) {
   const auto [first, last] = std::minmax_element(set.captures.begin(), set.captures.end(),
                                                  [](const Capture& a, const Capture& b) { return a.time < b.time; });
@@ -54,7 +54,7 @@ std::pair<double, double> span(const CaptureSet& set) {
 } // namespace
 
 TEST_CASE("asked not to add anything, a diagnosis still says what is missing", "[slow]") {
-  // Proves that the verdict follows the alarm and the candidate that explains it, not only what was added.
+  // Proves that without adding effects the verdict still follows from the alarm and the best candidate.
   const auto folder = sharedData("conformance/elasticity-knee");
   if (!folder) {
     return;
@@ -71,8 +71,8 @@ TEST_CASE("asked not to add anything, a diagnosis still says what is missing", "
 }
 
 TEST_CASE("the hidden effect of independent captures heads the ranking with its size", "[slow]") {
-  // Proves the whole chain on captures that another program made, one hidden effect each; and that sets without one are
-  // called adequate.
+  // Proves the whole chain on captures of an independent program with one hidden effect each; sets without one are
+  // adequate.
   const auto [set, effect, place, size] = GENERATE(
       table<std::string, std::string, std::string, double>({{"elasticity-knee", "elasticity", "LKneePitch", 0.006},
                                                             {"hysteresis-hip-roll", "hysteresis", "LHipRoll", 0.008},
@@ -102,8 +102,8 @@ TEST_CASE("the hidden effect of independent captures heads the ranking with its 
 }
 
 TEST_CASE("a large flaw is named although less than its linear prediction comes true", "[slow]") {
-  // Proves that candidates are compared by what they really explain: a tibia that is 13 mm too short, with the error
-  // far above all noise.
+  // Proves that candidates are ranked by refits, not by the linear prediction: the tibia is 13 mm too short, so the
+  // error is far above the noise.
   Robot robot = loadRobot(configurationDirectory(), "V6");
   robot.lengths[robot.lengthIndex("tibia").value()].value -= 0.0129;
   SimulationPlan plan;
@@ -116,7 +116,8 @@ TEST_CASE("a large flaw is named although less than its linear prediction comes 
 }
 
 TEST_CASE("a flaw larger than is plausible leaves nothing to explain once it is added", "[slow]") {
-  // Proves that no curve of the same shape seems evident because a gap of 2.4 degrees is rare.
+  // Proves that after adding the effect no curve of similar shape is reported, although a play three times the
+  // plausible size is improbable under the prior.
   const Robot robot = loadRobot(configurationDirectory(), "V6");
   SimulationPlan plan;
   plan.hiddenFlaw = true;
@@ -129,8 +130,9 @@ TEST_CASE("a flaw larger than is plausible leaves nothing to explain once it is 
 }
 
 TEST_CASE("a robot without hidden effects rarely raises an alarm", "[slow]") {
-  // Proves the family-wise rate on simulated robots, with and without stiction: at most 7 alarms of 40, which chance
-  // makes of 5 % once in 500 runs. The blind benchmark measures the rate itself.
+  // Proves the rate of false alarms on 40 simulated robots, half of them with stiction: at most 7, which a 5 % rate
+  // exceeds once in 1400 runs. The verdicts scatter and inconclusive are not counted. The blind benchmark measures the
+  // rate.
   int alarms = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     for (const double stiction : {0.0, radians(0.05)}) {
@@ -143,9 +145,9 @@ TEST_CASE("a robot without hidden effects rarely raises an alarm", "[slow]") {
 }
 
 TEST_CASE("corners that err together by less than the noise are no misfit", "[slow]") {
-  // Proves that very precise corners with a small bias, the same in all pictures of a pose and camera (what detectors
-  // do: repeats at rest do not show it), leave the model adequate although the lack of fit is significant. Does not
-  // prove it of pictures: this bias is a stretch by up to 0.04 px.
+  // Proves it for very precise corners with a small bias common to all images of a pose and camera, as detectors have
+  // it (repeats at rest do not show it): the model is adequate although the lack of fit is significant. The bias is a
+  // simulated stretch by up to 0.04 px, not that of a detector.
   SimulationPlan plan;
   plan.poses = planStandingPoses(loadRobot(configurationDirectory(), "V6"), plan, SupportFoot::left, 16, 1);
   plan.corners.pixel = 0.02;
@@ -166,9 +168,9 @@ TEST_CASE("corners that err together by less than the noise are no misfit", "[sl
 }
 
 TEST_CASE("a ripple that no effect describes is located and drawn", "[slow]") {
-  // Proves the joint x driver map: the knee's reading is off by 0.5 degrees times sin 6q, which no effect of the
-  // catalogue is. Joint, driver and amplitude are told; and the expression, taken over as an effect of one's own,
-  // explains it.
+  // Proves the map of joints by drivers: the knee's reading is off by 0.5 degrees times sin(6 q), which no effect of
+  // the catalogue describes. Joint, driver and amplitude are found, and the fitted expression, used as a custom effect,
+  // explains the misfit.
   const CaptureSet set =
       withReadings(simulatedSet(24, 5), "LKneePitch", [](double q) { return q + radians(0.5) * std::sin(6 * q); });
   const Diagnosis diagnosis = diagnosed(set);
@@ -190,8 +192,8 @@ TEST_CASE("a ripple that no effect describes is located and drawn", "[slow]") {
 }
 
 TEST_CASE("a drift that goes as the motor's warmth is named with it, however large it is", "[slow]") {
-  // Proves that a size beyond what is plausible (1.5 degrees in four minutes) does not make one of two effects certain
-  // that these captures cannot tell apart: the motors warm nearly evenly by 9 K meanwhile.
+  // Proves that an implausible size (1.5 degrees in four minutes) does not single out one of two effects that these
+  // captures cannot distinguish: the motor temperature rises almost linearly by 9 K.
   CaptureSet set = simulatedSet(24, 7);
   const auto [first, last] = span(set);
   const auto ankle = std::find(set.jointNames.begin(), set.jointNames.end(), "LAnklePitch") - set.jointNames.begin();
@@ -213,8 +215,8 @@ TEST_CASE("a drift that goes as the motor's warmth is named with it, however lar
 }
 
 TEST_CASE("a joint that slips once is located, and when", "[slow]") {
-  // Proves joint, size, moment and the time around it in which nothing was seen: from half time on the ankle reads 0.4
-  // degrees more. What it varies with is shown beside it.
+  // Proves joint, size, and the interval of the moment: from half time on, the ankle reads 0.4 degrees more. The driver
+  // curve shows the step over time.
   CaptureSet set = simulatedSet(24, 6);
   const auto [first, last] = span(set);
   const double slip = (first + last) / 2;
@@ -239,14 +241,14 @@ TEST_CASE("a joint that slips once is located, and when", "[slow]") {
   const DriverCurve& found = diagnosis.driverCurves.front();
   CHECK(found.place == "LAnklePitch");
   CHECK(found.driver == "t");
-  CHECK(found.amplitude == Approx(radians(0.2)).epsilon(0.3)); // half of the step
+  CHECK(found.amplitude == Approx(radians(0.2)).epsilon(0.3)); // half the step
   REQUIRE(found.expression.starts_with("a*(t > "));
   CHECK(std::stod(found.expression.substr(7)) == Approx(slip - first).margin(2 * (last - first) / 24));
 }
 
 TEST_CASE("a camera that turns in its mount is told from a joint", "[slow]") {
-  // Proves the map's mounts: the upper camera looks up ever further, by 5 px in the end (half a degree), while the
-  // lower one does not. Camera, time and axis are told; and where it jumps instead, that it was knocked.
+  // Proves the map's camera mounts: the top camera turns upwards by 5 px in total (half a degree), the bottom one does
+  // not. Camera, time and axis are found; for a sudden turn, the camera is reported as knocked.
   const CaptureSet good = simulatedSet(24, 8);
   const auto [first, last] = span(good);
   const Diagnosis drifting = diagnosed(withLookingUp(
@@ -267,8 +269,8 @@ TEST_CASE("a camera that turns in its mount is told from a joint", "[slow]") {
 }
 
 TEST_CASE("accidents and wrong set-ups are named, not explained as physics", "[slow]") {
-  // Proves that a joint of the wrong sign and a board that was kicked (here: its corners jump by 12 px half way) make
-  // the verdict bad-captures, with the joint's or the board's name.
+  // Proves that a joint with the wrong sign and a displaced board (its corners jump by 12 px half-way) give the verdict
+  // bad-captures, with the name of joint or board.
   const CaptureSet good = simulatedSet(12, 7);
   const Diagnosis mirrored = diagnosed(withReadings(good, "HeadYaw", [](double q) { return -q; }));
   CHECK(mirrored.verdict == Verdict::badCaptures);
@@ -304,7 +306,7 @@ TEST_CASE("accidents and wrong set-ups are named, not explained as physics", "[s
 }
 
 TEST_CASE("a diagnosis file has every key that others rely on", "[slow]") {
-  // Proves the contract's keys and their kinds; the numbers are other tests' concern.
+  // Proves the keys of the file format and the types of some; values are covered by other tests.
   const nlohmann::json file = diagnosisJson(diagnosed(simulatedSet(8, 9)));
   CHECK(file.at("format") == "naocal-diagnosis");
   CHECK(file.at("version") == 1);
@@ -324,7 +326,7 @@ TEST_CASE("a diagnosis file has every key that others rely on", "[slow]") {
 }
 
 TEST_CASE("a diagnosis file holds no more points of a figure than are asked for, and says of how many", "[slow]") {
-  // Proves that the file of a large set stays small, that the points kept are some of all, and that all can be had.
+  // Proves that `points` limits the lists, that kept points are a subset, and that `of` gives the full count.
   const Diagnosis diagnosis = diagnosed(simulatedSet(8, 9));
   const nlohmann::json all = diagnosisJson(diagnosis, allOfThem), few = diagnosisJson(diagnosis, 3);
   const auto whatIfs = [](const nlohmann::json& file) { return file.at("left").at("asGiven").at("whatIf").at(0); };

@@ -5,9 +5,9 @@
 
 namespace naocal {
 TEST_CASE("an effect's imprint is what it leaves after a calibration without it", "[slow]") {
-  // Proves the shifts before and after against a whole calibration of captures that are perfect but for that effect:
-  // one that the joint offsets take up for the most part, one they take up less, and one of the lens, so large that the
-  // calibration's being nonlinear shows.
+  // Compares the shifts before and after refitting with a full calibration of captures that are error-free except for
+  // that effect: one that joint offsets absorb for the most part, one they absorb less, and one of the lens, large
+  // enough to be nonlinear.
   const CaptureSet set = simulatedSet(8, 3);
   const Questioned asked{set, false};
   const std::string label = GENERATE("encoderGain@LKneePitch", "elasticity@LKneePitch", "radialDistortion@top");
@@ -25,7 +25,7 @@ TEST_CASE("an effect's imprint is what it leaves after a calibration without it"
     corners += static_cast<double>(observation.residual.cols());
   }
   CHECK(imprint.beforePx ==
-        Approx(std::sqrt(squares / corners)).epsilon(0.03)); // one picture per pose stands for three
+        Approx(std::sqrt(squares / corners)).epsilon(0.03)); // computed from one picture per pose of three
 
   CHECK(imprint.afterPx ==
         Approx(calibratedAt(asked.candidateTests.noise(), measurements, asked.model).rmsPx).epsilon(0.1));
@@ -33,7 +33,7 @@ TEST_CASE("an effect's imprint is what it leaves after a calibration without it"
 }
 
 TEST_CASE("an imprint shows the pictures that shift most, largest first") {
-  // Proves the order and number that the page relies on.
+  // Proves the order and the maximum number of corners per camera, which the page relies on.
   const Questioned asked{simulatedSet(8, 3), false};
   const std::size_t candidate = *asked.candidateTests.findCandidate("elasticity@LKneePitch");
   const EffectSignature imprint =

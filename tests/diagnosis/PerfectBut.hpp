@@ -6,7 +6,7 @@
 
 namespace naocal {
 
-/// The captures with every corner where an effect of this size puts it, beside the model as it was fitted.
+/// Replaces all corners by predictions of the fitted model plus an effect of this size.
 inline CaptureSet perfectButFor(const Term& term, const Eigen::VectorXd& size, const Questioned& asked,
                                 CaptureSet set) {
   Model model = asked.model;
@@ -31,7 +31,7 @@ inline CaptureSet perfectButFor(const Term& term, const Eigen::VectorXd& size, c
   return set;
 }
 
-/// A calibration that believes every corner, at a noise that is not in question.
+/// Calibration with fixed noise and without outlier rejection.
 inline CalibrationResult calibratedAt(const Noise& noise, const Measurements& measurements, const Model& model) {
   CalibrationOptions options;
   options.noise = noise;

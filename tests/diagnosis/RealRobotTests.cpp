@@ -7,9 +7,9 @@
 namespace naocal {
 
 TEST_CASE("what is found missing in a real NAO's limbs predicts captures that the search has not seen", "[slow]") {
-  // Proves the loop on measurements of a robot nobody here has touched (Freiburg, 2014): diagnosis on the training set,
-  // what it suggests added, the test set predicted. Published with six free numbers per link: 2.1 px (arm), 4.2 px
-  // (leg). Here the lens stays as it was measured, and at most a dozen numbers are added.
+  // Proves the loop on measurements of a robot at another laboratory (Freiburg, 2014): diagnosis of the training set,
+  // suggestions added, prediction of the test set. Published with six free parameters per link: 2.1 px (arm), 4.2 px
+  // (leg). Here the lens is fixed, and at most twelve unknowns are added.
   const auto data = sharedData("nao-freiburg-2014");
   if (!data) {
     return;
@@ -25,7 +25,7 @@ TEST_CASE("what is found missing in a real NAO's limbs predicts captures that th
     const Solved larger = solved(training, diagnosis.suggested);
     const CaptureSet test = readCaptureSet(*data / (limb + "-test")).set;
     INFO(limb << ": " << diagnosis.sentence);
-    CHECK(diagnosis.lackOfFit.dof[1] < 1); // one mark a picture does not tell the noise
+    CHECK(diagnosis.lackOfFit.dof[1] < 1); // one mark per image does not determine the noise
     CHECK(diagnosis.lackOfFit.pValue < 1e-6);
     CHECK(larger.model.unknownCount() <= plain.model.unknownCount() + 12);
     CHECK(compare(plain.stored(), {test}, robotOf(test), false).all.rmsPx > before);

@@ -18,7 +18,7 @@
 namespace naocal {
 namespace {
 
-/// Lines "name: sentence" of a fixed table of inputs.
+/// Lines "name: sentence" for a fixed table of inputs.
 class Sentences {
 public:
   void add(const std::string& name, const std::string& sentence) { lines_.push_back(name + ": " + sentence); }
@@ -34,7 +34,7 @@ private:
   std::vector<std::string> lines_;
 };
 
-/// A finding whose unknowns are estimated at these sizes with these sigmas [SI].
+/// A finding with these estimates and sigmas [SI].
 CandidateFinding found(Effect effect, const std::string& place, const std::vector<double>& sizes,
                        const std::vector<double>& sigmas) {
   CandidateFinding result;
@@ -234,7 +234,7 @@ void addTellingPairs(Sentences& all) {
     for (pair.driver = 0; pair.driver < drivers.size(); ++pair.driver) {
       add(pair);
     }
-    pair.driver = 1; // how it was approached
+    pair.driver = 1; // approach
     pair.from = 6 * unit;
     pair.to = -5.5 * unit;
     add(pair);
@@ -269,9 +269,9 @@ std::vector<std::string> linesOf(const std::filesystem::path& file) {
 } // namespace
 
 TEST_CASE("the sentences that people read are those of the golden file") {
-  // Proves every verdict's sentence, the words of states and effects, sizes and trends for a fixed table of inputs,
-  // line by line. Where a sentence shall change: NAOCAL_ACCEPT_SENTENCES=1 test_diagnosis "the sentences*" writes the
-  // file anew; read its difference before you commit it.
+  // Golden-file test: verdicts, states, effects, sizes and trends for a fixed table of inputs, line by line. To accept
+  // a change, run NAOCAL_ACCEPT_SENTENCES=1 test_diagnosis "the sentences*", which rewrites the file, and review the
+  // diff.
   Sentences all;
   addCalibrationVerdicts(all);
   addDiagnosisVerdicts(all);

@@ -13,7 +13,7 @@ using Json = nlohmann::json;
 
 namespace {
 
-/// Two models: the first was put to the question, the second not yet.
+/// Two models: the first with test results, the second without.
 Session twoModels() {
   SelectionStep step{.rmsPx = 0.52, .noiseFloorPx = 0.31};
   step.heldOutPx = 0.55;
@@ -33,7 +33,7 @@ Session twoModels() {
 } // namespace
 
 TEST_CASE("a session is read as it was written") {
-  // Proves every member, of a rung that was put to the question and of one that was not.
+  // Proves the round trip of all members, for a rung with and one without test results.
   const TemporaryFolder folder;
   const auto file = folder.path() / "session.json";
   const Session written = twoModels();
@@ -56,8 +56,8 @@ TEST_CASE("a session is read as it was written") {
 }
 
 TEST_CASE("a session that cannot be gone on from is refused with its place") {
-  // Proves the sentences for a rung that was changed from one behind it, for one that is stood on and does not exist,
-  // for an empty ladder, and for other captures.
+  // Proves the refusal of a rung derived from itself or a later one, of a present rung that does not exist, of wrong
+  // types, of an empty ladder, and of other captures.
   const TemporaryFolder folder;
   const auto file = folder.path() / "session.json";
   const auto refused = [&](const char* pointer, const Json& value, const char* sentence) {
@@ -80,14 +80,14 @@ TEST_CASE("a session that cannot be gone on from is refused with its place") {
 }
 
 TEST_CASE("a changed model comes last and names its origin, and every model that was tried stays") {
-  // Proves add, drop, undo and goTo on the history alone: what is undone stays, and another change begins a branch.
+  // Proves add, drop, undo and goTo on the history alone: undone models are kept, and a further change starts a branch.
   Session session;
   session.ladder.push_back({.rmsPx = 0.5, .questioned = SelectionStep{}});
   const auto base = [] { return std::vector<std::string>{"jointOffset@HeadYaw"}; };
   session.add("elasticity@LKneePitch", base);
   CHECK(session.current().with == std::vector<std::string>{"elasticity@LKneePitch"});
   CHECK(session.current().step == "+ elasticity@LKneePitch");
-  CHECK_FALSE(session.current().questioned); // that was another model
+  CHECK_FALSE(session.current().questioned); // results belong to the previous model
   session.undo();
   CHECK(session.at == 0);
   session.add("backlash@LKneePitch", base);
@@ -103,7 +103,8 @@ TEST_CASE("a changed model comes last and names its origin, and every model that
 }
 
 TEST_CASE("an effect of the base model can be dropped and added again, and nothing is in a model twice") {
-  // Proves the refusals, which leave the session as it was, and that what was taken out is no addition.
+  // Proves the refusals, which leave the session unchanged, and that restoring a base effect is not recorded as an
+  // addition.
   Session session;
   session.ladder.emplace_back();
   const auto base = [] { return std::vector<std::string>{"jointOffset@HeadYaw"}; };
@@ -118,10 +119,10 @@ TEST_CASE("an effect of the base model can be dropped and added again, and nothi
   CHECK(session.current().without.empty());
   CHECK(session.current().with.empty());
   session.add("elasticity@*", base);
-  CHECK_THROWS_AS(session.add("elasticity@*", base), InputError); // a pattern, which no term is called
+  CHECK_THROWS_AS(session.add("elasticity@*", base), InputError); // a pattern; no term has this label
 
   const auto broken = []() -> std::vector<std::string> { throw InputError{"there is no such model"}; };
-  session.drop("elasticity@*", broken); // a model that cannot be fitted is mended
+  session.drop("elasticity@*", broken); // dropping works although the model cannot be built
   CHECK(session.current().with.empty());
   CHECK_THROWS_WITH(session.add("elasticity@LKneePitch", broken), Contains("no such model"));
 }

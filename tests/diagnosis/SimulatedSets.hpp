@@ -8,7 +8,7 @@
 
 namespace naocal {
 
-/// A simulated robot's captures, three approaches of each pose; poses are found once per count.
+/// Captures of a simulated robot, three approaches per pose; poses are planned once per count.
 inline CaptureSet simulatedSet(std::size_t poses, std::uint64_t seed, double stiction = 0) {
   static const Robot robot = loadRobot(configurationDirectory(), "V6");
   static std::map<std::size_t, std::vector<CommandedPose>> known;

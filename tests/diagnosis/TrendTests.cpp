@@ -16,7 +16,7 @@ struct Chance {
   double operator()() { return normal(random); }
 };
 
-/// Poses of many corners that share most of their error; x varies between poses, within them, or has two values.
+/// Poses with many corners that share most of their error; x varies between poses, within poses, or has two values.
 enum class Varies { between, within, twoValues };
 std::vector<TrendSample> corners(std::size_t poses, Varies varies, double slope, Chance& chance) {
   std::vector<TrendSample> samples;
@@ -34,9 +34,9 @@ std::vector<TrendSample> corners(std::size_t poses, Varies varies, double slope,
 } // namespace
 
 TEST_CASE("corners of one pose count once: trends that are not there are found as rarely as promised", "[slow]") {
-  // Proves that 40 corners with one pose's error are no 40 witnesses, for drivers between and within poses and with two
-  // values, with few and many poses; an ordinary F test over corners would cry in nearly every case. Proves nothing of
-  // errors that poses share among each other.
+  // Proves that 40 corners with a common error do not count as independent samples, for drivers between and within
+  // poses and with two values, and for few and many poses; an F test over corners would be significant in almost every
+  // case. Errors shared between poses are not covered.
   Chance chance{3};
   constexpr int sets = 300;
   for (const std::size_t poses : {12u, 40u, 100u}) {
@@ -52,8 +52,8 @@ TEST_CASE("corners of one pose count once: trends that are not there are found a
 }
 
 TEST_CASE("among many trends over related drivers the clearest is rarely called clear by chance", "[slow]") {
-  // Proves that the chance counts all trends that were looked at, though they are alike; and that it is no more
-  // cautious than it must be.
+  // Proves that the family-wise chance accounts for all tested trends, although they are correlated, and that the test
+  // is not overly conservative.
   Chance chance{4};
   constexpr int sets = 150;
   int found = 0;
@@ -80,8 +80,8 @@ TEST_CASE("among many trends over related drivers the clearest is rarely called 
 }
 
 TEST_CASE("a trend is found whether its driver is smooth, has two values or varies within poses") {
-  // Proves that none of the kinds of drivers is favoured: each is beyond doubt with a dozen poses where the curve is
-  // three times the scatter of poses.
+  // Proves that all kinds of drivers are detected with twelve poses and a curve of three times the scatter between
+  // poses.
   Chance chance{5};
   for (const Varies varies : {Varies::between, Varies::within, Varies::twoValues}) {
     const Trend trend{corners(12, varies, 3, chance)};
@@ -93,7 +93,7 @@ TEST_CASE("a trend is found whether its driver is smooth, has two values or vari
 }
 
 TEST_CASE("a single pose with a driver of its own is no trend") {
-  // Proves that one bad capture, taken warm or late, does not pass for a law; and that too few poses prove nothing.
+  // Proves that one exceptional pose, such as a late or warm one, gives no trend, and that five poses are not enough.
   Chance chance{6};
   std::vector<TrendSample> samples;
   for (std::size_t pose = 0; pose < 20; ++pose) {
@@ -109,7 +109,7 @@ TEST_CASE("a single pose with a driver of its own is no trend") {
 }
 
 TEST_CASE("a trend's curve goes through what it was made of") {
-  // Proves that curve and mean are those of the values, also where weights differ and stragglers lie far out.
+  // Proves that curve and mean reproduce the values, for unequal weights and exponentially spaced x.
   std::vector<TrendSample> samples;
   for (std::size_t pose = 0; pose < 40; ++pose) {
     const double x = std::exp(0.3 * double(pose));

@@ -32,7 +32,7 @@ struct Instance {
     effect.correct(modelState, instant, 0, values);
     return modelState.values;
   }
-  /// Whether an unknown moves what is believed beside the others, these at their sigmas.
+  /// Whether an unknown changes the corrected state with the other unknowns at their sigmas.
   bool shapes(const Effect& effect, std::size_t unknown) const {
     std::vector<double> values;
     for (const Unknown& each : effect.unknowns) {
@@ -50,8 +50,8 @@ struct Instance {
 } // namespace
 
 TEST_CASE("every effect keeps the contract of effects") {
-  // Proves for all members of the list: absent at zero, each unknown moves what is believed (one that only shapes what
-  // others do: beside them), linear where it says so, known units, unique names. Formulas and signs are proved by
+  // Proves for all effects of the catalogue: no correction at zero; each unknown changes the state (a shape parameter:
+  // with the others at sigma); linear if declared so; valid units, unique names. Formulas and signs are tested by
   // calibrations against independent simulators.
   const Instance instance{GENERATE("V4", "V5", "V6")};
   std::set<std::string> names;
@@ -83,9 +83,9 @@ TEST_CASE("every effect keeps the contract of effects") {
 }
 
 TEST_CASE("every effect is smooth in what drives it, or says that it is not") {
-  // Proves that `kink` is true: at the size of its sigma a correction that is not declared bends by less than a
-  // two-hundredth of its range within a hundredth of a driver's range, zero included. Of drivers that take a few values
-  // only (approach) that is said of the line between them.
+  // Proves that `kink` is correct: with the unknowns at sigma, the second difference of a smooth correction over 1/100
+  // of a driver's range, zero included, is below 1/200 of the correction's range. For discrete drivers (approach), this
+  // concerns the interpolation between their values.
   Instance instance{"V6"};
   const auto drivers = std::to_array<std::function<double&(RobotSample&)>>(
       {[](RobotSample& i) -> double& { return i.q[0]; }, [](RobotSample& i) -> double& { return i.torque[0]; },

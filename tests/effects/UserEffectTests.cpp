@@ -31,7 +31,7 @@ struct Bench {
     const nlohmann::json json = parseJson(text, "model.json");
     return parseUserEffect(JsonCursor{json, "model.json"}, robot);
   }
-  /// The cable with one piece of its text replaced.
+  /// Error message for the cable's definition with one part replaced; "accepted" if there is none.
   std::string refusal(const std::string& from, const std::string& to) const {
     std::string text = cable;
     text.replace(text.find(from), from.size(), to);
@@ -54,7 +54,7 @@ struct Bench {
 } // namespace
 
 TEST_CASE("a person's own effect corrects as its expression says, in several threads at once") {
-  // Proves values, drivers found in the text, the place, and that threads do not disturb each other.
+  // Proves values, drivers found in the expression, the place, and thread safety.
   const Bench bench;
   const Effect effect = bench.effect(cable);
   const std::size_t knee = *bench.robot.jointIndex("LKneePitch");
@@ -79,7 +79,7 @@ TEST_CASE("a person's own effect corrects as its expression says, in several thr
 }
 
 TEST_CASE("an expression may use every name of the contract") {
-  // Proves that each name stands for its own number, each alone.
+  // Proves that each name refers to its own quantity.
   const Bench bench;
   const RobotSample& at = bench.instant;
   const auto joint = [&](const char* name) { return static_cast<Eigen::Index>(*bench.robot.jointIndex(name)); };
@@ -107,7 +107,7 @@ TEST_CASE("an expression may use every name of the contract") {
 }
 
 TEST_CASE("what is wrong with a person's effect is said with its place and what is near") {
-  // Proves each refusal's words; all of them are InputErrors.
+  // Proves the message of each refusal; all are InputErrors.
   using Catch::Contains;
   const Bench bench;
   CHECK_THAT(bench.refusal("tau", "taw"), Contains("'taw'") && Contains("tau") && Contains("correction"));

@@ -21,7 +21,7 @@ Measurements standing(SupportFoot foot) {
   return buildMeasurements({simulate(robot, plan, 5).set}, robot);
 }
 
-/// Unknowns in general position.
+/// Unknowns at generic values, without zeros or symmetries.
 Eigen::VectorXd generic(const Model& model) {
   Eigen::VectorXd result = model.sigmas();
   for (Eigen::Index i = 0; i < result.size(); ++i) {
@@ -34,9 +34,9 @@ Eigen::VectorXd generic(const Model& model) {
 
 TEST_CASE(
     "what is believed follows every unknown as its slopes say, by way of angles, torques and centre of mass too") {
-  // Proves values and derivatives of all effects at all their places together, against fine differences of the belief
-  // that is built one correction after the other: the slopes' list, the chain rule through the offsets, and the closed
-  // form of how torques follow angles. Not the picture's derivative by what is believed (model tests).
+  // Compares the derivatives of all effects at all places with finite differences of the predicted state: the list of
+  // derivatives, the chain rule through the offsets, and the closed form of torques over angles. The image's derivative
+  // with respect to the state is tested in camera.
   const Measurements measurements = standing(GENERATE(SupportFoot::left, SupportFoot::right, SupportFoot::both));
   const Model model = buildModel(measurements, {"*@*"});
   REQUIRE(model.terms().size() > 100);
@@ -77,7 +77,7 @@ TEST_CASE(
 }
 
 TEST_CASE("a person's effect counts wherever it acts, be it nothing in a dead band") {
-  // Proves that what such an effect moves is not looked for where its correction happens to be zero.
+  // Proves that the quantities an effect acts on are not determined where its correction is zero.
   const Measurements measurements = standing(SupportFoot::left);
   const nlohmann::json definition = parseJson(R"json({"name": "slack", "at": "LKneePitch",
     "correction": "a*max(0, abs(tau) - 0.3)", "unknowns": {"a": {"unit": "rad/Nm", "sigma": 0.01}}})json",
@@ -94,7 +94,7 @@ TEST_CASE("a person's effect counts wherever it acts, be it nothing in a dead ba
       most = ofSlack && slope.quantity == measurements.quantities.angle(knee) ? std::max(most, slope.value) : most;
     }
   }
-  CHECK(most > 0.1); // [Nm] beyond the dead band
+  CHECK(most > 0.1); // [Nm]; torque beyond the dead band
 }
 
 } // namespace naocal

@@ -31,7 +31,7 @@ struct Problem {
   Model model;
 };
 
-/// All predicted corners of one pose, stacked, at given unknowns and deflections of the readings' angles.
+/// Residuals of all corners of one pose, stacked, in a given state.
 Eigen::VectorXd stacked(const Residuals& residuals, const Residuals::State& state, std::size_t pose) {
   std::vector<double> all;
   std::set<std::size_t> pictures;
@@ -51,8 +51,8 @@ Eigen::VectorXd stacked(const Residuals& residuals, const Residuals::State& stat
 } // namespace
 
 TEST_CASE("integrating out deflections equals the full covariance of all corners") {
-  // Proves Woodbury, the slot-wise sums and the chain rule at once: hessian, gradient and cost of every pose against a
-  // dense Sigma = pixel^2 I + J S J^T built from differences of predictions. Independent of the twist factoring.
+  // Proves Woodbury identity, sums and chain rule together: hessian, gradient and cost of every pose are compared with
+  // a dense Sigma = pixel^2 I + J S J^T from differences of predictions. Independent of the factoring by twists.
   const Problem problem{3, GENERATE(RepeatKind::rest, RepeatKind::reapproach)};
   const Noise noise{0.4, 6e-4, 9e-4};
   const Residuals residuals{problem.measurements, problem.model, noise};
@@ -92,8 +92,8 @@ TEST_CASE("integrating out deflections equals the full covariance of all corners
 }
 
 TEST_CASE("the cost follows the unknowns alone, also where corners lose their weight") {
-  // Proves by differences that the gradient is that of the least cost over all deflections, from none and with most
-  // corners between full and no weight: there a deflection that was brought to rest for once goes on for many steps.
+  // Proves by differences that the gradient is that of the cost minimised over all deflections, at zero deflections and
+  // with most corners between full and zero weight, where a deflection optimised only once would need many steps.
   const Problem problem;
   const Noise noise{0.3, 6e-4, 9e-4};
   const Residuals residuals{problem.measurements, problem.model, noise, Loss{3}};
@@ -116,8 +116,8 @@ TEST_CASE("the cost follows the unknowns alone, also where corners lose their we
 }
 
 TEST_CASE("a deflection root squares to encoder, pose and stance noise") {
-  // Proves the covariance that a pose's readings are believed to have: own errors, one shared by the joint, and one
-  // shared while the robot stands where it stands.
+  // Proves the prior covariance of a pose's joint errors: one error per reading, one shared by the joint, and one
+  // shared within a stance.
   PoseSystem system;
   system.joints = {3, 3, 3, 7, 7};
   system.errorScales = {1, 1, 0.5, 1, 1};
@@ -138,7 +138,8 @@ TEST_CASE("a deflection root squares to encoder, pose and stance noise") {
 }
 
 TEST_CASE("a resting joint keeps its rounding error, an approach gives it a new one") {
-  // Proves the grouping that all statistics rest on; and that flipping readings are taken as the edge between steps.
+  // Proves the grouping of encoder errors, on which all statistics rely, and that few readings alternate between two
+  // steps.
   for (const RepeatKind kind : {RepeatKind::rest, RepeatKind::reapproach}) {
     const Problem problem{3, kind};
     int flips = 0;
@@ -161,8 +162,7 @@ TEST_CASE("a resting joint keeps its rounding error, an approach gives it a new 
 }
 
 TEST_CASE("a reading that no flip explains is one of its own") {
-  // Proves that angles which differ by more than two steps within a rest are left as they were read, and that no
-  // joint's error is shared between them.
+  // Proves that angles differing by more than two steps during a rest are kept as read and share no encoder error.
   Problem problem{3, RepeatKind::rest};
   CaptureSet set = problem.set;
   const int odd = set.captures[2].id;
@@ -183,7 +183,7 @@ TEST_CASE("a reading that no flip explains is one of its own") {
 }
 
 TEST_CASE("no order of captures changes a digit") {
-  // Proves that sums are formed in an order of their own: bitwise equality of the linearisation.
+  // Proves a canonical summation order: the linearisation is bitwise equal.
   Problem problem;
   CaptureSet shuffled = problem.set;
   std::shuffle(shuffled.captures.begin(), shuffled.captures.end(), std::mt19937{11});
@@ -199,7 +199,7 @@ TEST_CASE("no order of captures changes a digit") {
 }
 
 TEST_CASE("the loss is quadratic for good corners, constant for false ones and smooth between") {
-  // Proves that the weight is the slope of rho, which the accept test of the search relies on.
+  // Proves that the weight is the derivative of rho, as the acceptance test of the search requires.
   const Loss loss{1.5};
   for (double s = 0.5; s < 200; s += 0.37) {
     const double h = 1e-5;
@@ -211,7 +211,7 @@ TEST_CASE("the loss is quadratic for good corners, constant for false ones and s
 }
 
 TEST_CASE("a hip yaw-pitch motor is one unknown under both of its names") {
-  // Proves that neither name adds a second unknown and the right one is accepted.
+  // Proves that neither name adds a second unknown, and that the right joint's name is accepted.
   const Problem problem;
   const Model model = buildModel(problem.measurements, {"jointOffset@RHipYawPitch"});
   CHECK(std::count_if(model.terms().begin(), model.terms().end(),

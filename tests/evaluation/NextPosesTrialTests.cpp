@@ -7,8 +7,8 @@
 namespace naocal {
 
 TEST_CASE("proposed poses tell the hidden effect from its twins sooner than random ones", "[slow]") {
-  // Proves that trials run to their end and are won, both ways counted together, on the first three robots whose first
-  // captures leave several effects open. Three robots prove no median: `naocal evaluate next` measures it over many.
+  // Proves that trials finish, and that proposed poses need fewer poses in total, on the first three robots with
+  // several suspects. Three robots are no statistics: `naocal evaluate next` measures the median over many.
   const NextPosesTrialOptions options;
   std::size_t open = 0, proposed = 0, random = 0, right = 0;
   for (std::uint64_t seed = 1; open < 3; ++seed) {
@@ -28,7 +28,8 @@ TEST_CASE("proposed poses tell the hidden effect from its twins sooner than rand
 }
 
 TEST_CASE("a robot whose effect is plain leaves nothing to tell apart", "[slow]") {
-  // Proves that such a robot counts for neither way: its hidden effect is as large as a worn NAO's.
+  // Proves that a robot without open suspects counts for neither method: its hidden effect has the size of a worn
+  // NAO's.
   NextPosesTrialOptions options;
   options.flawScale = 1;
   const NextPosesTrial trial = runNextPosesTrial(v6(), 3, options);

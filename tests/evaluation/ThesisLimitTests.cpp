@@ -13,8 +13,8 @@ namespace naocal {
 
 namespace {
 
-/// How the corners that a picture shows move with the stage's joints, by central differences through the synthetic
-/// robot's own kinematics and lens: u0, v0, u1, ... per joint [px/rad].
+/// Derivatives of an image's corners with respect to the stage's joints, by central differences through the synthetic
+/// robot's kinematics and lens: u0, v0, u1, ... per joint [px/rad].
 Eigen::MatrixXd cornerSlopes(const ThesisTrial& trial, const ThesisExperiment& stage, const ImageObservation& picture) {
   const Robot& robot = v6();
   static const SyntheticRobot drawn{
@@ -52,7 +52,7 @@ Eigen::MatrixXd cornerSlopes(const ThesisTrial& trial, const ThesisExperiment& s
   return slopes;
 }
 
-/// J^T Sigma^-1 J over all readings, dense, with the offsets' prior.
+/// Dense J^T Sigma^-1 J over all readings, plus the offsets' prior.
 Eigen::MatrixXd denseInformation(const ThesisTrial& trial, const ThesisExperiment& stage) {
   const auto joints = eigenIndex(stage.joints().size());
   constexpr double prior = 0.1; // as in naocal solve [rad]
@@ -76,8 +76,8 @@ Eigen::MatrixXd denseInformation(const ThesisTrial& trial, const ThesisExperimen
 } // namespace
 
 TEST_CASE("the tables' limit is that of the whole measurement's covariance", "[slow]") {
-  // Proves information and draws against dense matrices of slopes that are differences through the synthetic robot's
-  // kinematics, which share no code with the solver's. Not proved: that errors are normal.
+  // Proves information and draws against dense matrices of derivatives by differences through the synthetic robot's
+  // kinematics, which share no code with the solver. That errors are normally distributed is assumed.
   const ThesisSetting setting{.poses = 3, .noise = ThesisNoise::both, .jointNoise = AngleNoise::encoder, .samples = 3};
   const ThesisExperiment stage = thesisStageFor(setting);
   ThesisTrial trial{stage, setting, 0.3};
@@ -99,7 +99,7 @@ TEST_CASE("the tables' limit is that of the whole measurement's covariance", "[s
       const auto within = [&](double error) { return error <= radians(tolerance); };
       return static_cast<double>(std::count_if(errors.begin(), errors.end(), within)) / draws;
     };
-    CHECK(share(limit) == Approx(share(expected)).margin(0.02)); // four sigmas of the difference
+    CHECK(share(limit) == Approx(share(expected)).margin(0.02)); // 4 sigma of the difference
   }
 }
 

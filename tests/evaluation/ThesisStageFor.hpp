@@ -7,7 +7,7 @@
 
 namespace naocal {
 
-/// The stage of a setting; its poses are chosen once.
+/// Experiment of a setting; its poses are selected once.
 inline ThesisExperiment thesisStageFor(const ThesisSetting& setting) {
   static std::map<std::pair<ThesisFeature, PoseChoice>, std::vector<Eigen::VectorXd>> chosen;
   std::vector<Eigen::VectorXd>& all = chosen[{setting.feature, setting.choice}];

@@ -11,7 +11,7 @@ namespace naocal {
 
 namespace {
 
-/// Every parts-th set of the first `sets`.
+/// Evaluates every `parts`-th of the first `sets` error sets, from `part` on.
 ThesisEvaluation evaluated(const ThesisSetting& setting, std::size_t sets, std::size_t part, std::size_t parts) {
   ThesisEvaluation result{.seed = 3, .sets = sets, .parts = parts, .done = {part}};
   const ThesisExperiment stage = thesisStageFor(setting);
@@ -32,7 +32,7 @@ ThesisEvaluation evaluated(const ThesisSetting& setting, std::size_t sets, std::
 } // namespace
 
 TEST_CASE("without noise our solver finds all offsets of every error set, from three poses on", "[slow]") {
-  // Proves it for some sets of every noiseless setting of the tables; `naocal evaluate thesis` counts thousands.
+  // Proves it for 30 error sets of every noiseless setting of the tables; `naocal evaluate thesis` runs thousands.
   for (const auto& [setting, solvers] : thesisSettings()) {
     if (setting.noise == ThesisNoise::none) {
       INFO(setting.name());
@@ -47,8 +47,8 @@ TEST_CASE("without noise our solver finds all offsets of every error set, from t
 }
 
 TEST_CASE("both legs, and mounts and places with the offsets, are found without noise", "[slow]") {
-  // Proves it for some sets of what the thesis left open, five poses on each leg, and that there are 13 offsets of both
-  // legs; mounts and places are not counted but must be right, as no offset could be otherwise.
+  // Proves it for 20 error sets of two settings beyond the thesis, with five poses per leg, and that both legs have 13
+  // offsets. Mounts and placements are not compared, but wrong ones would change the offsets.
   for (const bool legs : {true, false}) {
     const ThesisSetting setting{.poses = 5, .bothLegs = legs, .unknownPlaces = !legs};
     INFO(setting.name());
@@ -64,8 +64,8 @@ TEST_CASE("both legs, and mounts and places with the offsets, are found without 
 }
 
 TEST_CASE("what the thesis left open succeeds as often as its limit says", "[slow]") {
-  // Proves it for 150 sets of every setting beyond the thesis at 0.2 degrees, with eight poses; three standard
-  // deviations of a share are let pass.
+  // Proves it for 150 error sets of every setting beyond the thesis with eight poses, at 0.2 degrees, within three
+  // standard deviations of a proportion.
   for (const ThesisCell& cell : furtherCells()) {
     if (cell.setting.poses == 8) {
       INFO(cell.setting.name());
@@ -78,7 +78,7 @@ TEST_CASE("what the thesis left open succeeds as often as its limit says", "[slo
 }
 
 TEST_CASE("where only pixels are noisy our solver ends in plain Levenberg-Marquardt's minimum", "[slow]") {
-  // Proves it for some sets from five poses on: weights are all alike then, and the prior does not count in the end.
+  // Proves it for 20 error sets with five poses: all weights are equal then, and the prior is negligible.
   const ThesisSetting setting{.poses = 5, .noise = ThesisNoise::pixel};
   const ThesisExperiment stage = thesisStageFor(setting);
   ThesisTrial trial{stage, setting, 0.3};
@@ -92,7 +92,8 @@ TEST_CASE("where only pixels are noisy our solver ends in plain Levenberg-Marqua
 
 TEST_CASE("numeric derivatives lead where ours do, and searches by costs alone come nearer than where they began",
           "[slow]") {
-  // Proves it for one set without noise. Not proved: that dlib or a swarm find the minimum; they often do not.
+  // Proves it for one error set without noise. Whether dlib or the swarm find the minimum is not tested; often they do
+  // not.
   const ThesisSetting setting{.feature = ThesisFeature::boards, .poses = 3};
   const ThesisExperiment stage = thesisStageFor(setting);
   ThesisTrial trial{stage, setting, 0.3};
@@ -101,13 +102,13 @@ TEST_CASE("numeric derivatives lead where ours do, and searches by costs alone c
   for (const ThesisSolver solver : {ThesisSolver::dlib, ThesisSolver::swarm}) {
     const ThesisSolution answer = trial.solve(solver);
     INFO(toString(solver));
-    CHECK(answer.rms < 20); // px; offsets of degrees move corners by far more
+    CHECK(answer.rms < 20); // px; offsets of degrees shift corners by much more
     CHECK(answer.errors.norm() < trial.offsets().norm());
   }
 }
 
 TEST_CASE("statuses are told apart in the thesis's order") {
-  // Proves the order of the questions on made-up answers, not that searches end so.
+  // Proves the order of the criteria, and the tally, on hand-made solutions.
   ThesisSolution answer{.solved = true, .rms = 0.5, .rmsTolerance = 1, .errors = Eigen::Vector2d{0, -radians(0.15)}};
   CHECK(answer.status(radians(0.2)) == ThesisStatus::success);
   CHECK(answer.status(radians(0.1)) == ThesisStatus::localMinimum);
@@ -131,7 +132,8 @@ TEST_CASE("statuses are told apart in the thesis's order") {
 }
 
 TEST_CASE("readings are as noisy as our solver is told") {
-  // Proves the standard deviation of each reading of the joint noise, rounding included, and whole encoder steps.
+  // Proves the standard deviation of simulated readings for each joint noise, including rounding, and that readings are
+  // whole encoder steps.
   for (const AngleNoise noise : {AngleNoise::radians, AngleNoise::degrees, AngleNoise::encoder, AngleNoise::stiction}) {
     const ThesisSetting setting{.noise = ThesisNoise::joint, .jointNoise = noise};
     INFO(setting.name());
@@ -149,7 +151,7 @@ TEST_CASE("readings are as noisy as our solver is told") {
 }
 
 TEST_CASE("error sets repeat by their number and keep to the range of errors", "[slow]") {
-  // Proves that draws do not depend on what was drawn before, and that large errors are large.
+  // Proves that draws depend on the error set's number only, and the range of large errors.
   const ThesisSetting setting{.noise = ThesisNoise::both, .largeErrors = true};
   const ThesisExperiment stage = thesisStageFor(setting);
   ThesisTrial one{stage, setting, 0.3}, other{stage, setting, 0.3};
@@ -166,7 +168,7 @@ TEST_CASE("error sets repeat by their number and keep to the range of errors", "
 }
 
 TEST_CASE("parts of an evaluation, written, read and put together, are the whole", "[slow]") {
-  // Proves it for one setting and for every count; times differ. Also that a part cannot be counted twice.
+  // Proves it for one setting and all counts; times differ. A part cannot be counted twice.
   const ThesisSetting setting{.noise = ThesisNoise::both, .jointNoise = AngleNoise::encoder};
   const TemporaryFolder folder;
   std::vector<ThesisEvaluation> parts;

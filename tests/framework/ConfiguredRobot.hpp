@@ -10,7 +10,7 @@
 
 namespace naocal {
 
-/// A configuration in a folder of its own, for a robot with head "Ada" and body "Bob" who plays at "Home".
+/// Configuration in a temporary folder, for a robot with head "Ada" and body "Bob" at the location "Home".
 struct ConfiguredRobot {
   explicit ConfiguredRobot(RobotNames robot = {"Home", "Ada", "Bob"}) : names{std::move(robot)} {}
 

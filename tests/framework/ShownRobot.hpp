@@ -15,7 +15,7 @@
 
 namespace naocal {
 
-/// A picture as tests show it: its bytes stand for a JPEG.
+/// Test image; its bytes stand in for a JPEG.
 struct TestPicture {
   std::string bytes;
 };
@@ -23,7 +23,7 @@ inline EncodedImage toImage(const TestPicture& picture) {
   return {640, 480, picture.bytes};
 }
 
-/// Counts its cycles and shows them as value, list, history, and every third one as a picture.
+/// Counts cycles and publishes the count as value, list and history; every third one also as an image.
 class Counter : public Module {
 public:
   explicit Counter(TimePoint base) : Module{"Counter"}, base_{base} {}
@@ -49,7 +49,7 @@ private:
   Production<TestPicture> picture_{*this, "picture"};
 };
 
-/// A robot with one thread, its sockets, and what was logged. The thread cycles when the test says so.
+/// A robot with one thread, sockets and a log. The test triggers the thread's cycles.
 struct ShownRobot {
   explicit ShownRobot(SocketSettings wanted = {}) : settings{std::move(wanted)} {
     settings.debugPort = settings.configPort = 0;
@@ -74,7 +74,7 @@ struct ShownRobot {
     logged.notify_all();
   }
   bool hasLogged(const std::string& text) { return isLogged(text, std::chrono::seconds{0}); }
-  /// Whether a sentence with this text is logged within the time.
+  /// Waits until a sentence containing the text is logged; false on a timeout.
   bool isLogged(const std::string& text, std::chrono::seconds within = std::chrono::minutes{5}) {
     std::unique_lock lock{mutex};
     return logged.wait_for(lock, within, [&] {

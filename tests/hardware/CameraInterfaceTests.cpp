@@ -18,7 +18,7 @@ CameraFrame frame(PixelFormat format, int width, int height, std::vector<std::ui
 
 } // namespace
 
-// Proves which bytes of each format are the brightness. Says nothing about colours.
+// Proves which bytes of each format give the brightness. Colours are not covered.
 TEST_CASE("a frame's brightness is every second byte of YUYV, every byte of grey, and BT.601's sum of RGB") {
   CHECK(toGreyImage(frame(PixelFormat::yuyv, 2, 2, {1, 99, 2, 98, 3, 97, 4, 96}))->pixels ==
         std::vector<std::uint8_t>{1, 2, 3, 4});
@@ -27,7 +27,7 @@ TEST_CASE("a frame's brightness is every second byte of YUYV, every byte of grey
         std::vector<std::uint8_t>{255, 76, 150, 29});
 }
 
-// Proves that no byte beyond the frame's is touched, whatever it says of itself.
+// Proves that inconsistent sizes give no image, so no byte outside the frame is read.
 TEST_CASE("a frame whose bytes are not as many as its format and size say has no brightness") {
   CHECK(!toGreyImage(frame(PixelFormat::yuyv, 2, 2, {1, 2, 3, 4})));
   CHECK(!toGreyImage(frame(PixelFormat::grey, 0, 0, {})));

@@ -7,9 +7,9 @@
 namespace naocal {
 
 TEST_CASE("poses of a robot that lacks nothing miss its model by as much as their freedom says", "[slow]") {
-  // Proves that chi2 / freedom is 1 on average where model and noise are right, with few poses (whose unknowns take
-  // most of what they tell) as with more: at the simulated noise, over twelve and six robots. A mean of twelve such
-  // ratios scatters by 0.07 with 8 poses.
+  // Proves that chi2 / freedom has mean 1 where model and noise are right, also with few poses, whose unknowns absorb
+  // most of the information; at the simulated noise, for twelve robots with 8 poses and six with 16. The mean of twelve
+  // ratios has a standard deviation of 0.07 with 8 poses.
   for (const auto& [poses, robots] : {std::pair{8, 12}, std::pair{16, 6}}) {
     double mean = 0;
     for (int seed = 1; seed <= robots; ++seed) {

@@ -8,7 +8,7 @@
 namespace naocal {
 namespace {
 
-/// 24 poses whose left knee reads as much more as `error` says of the time gone by, as a share of all.
+/// 24 poses; adds `error` to the left knee's readings, a function of the elapsed share of the time.
 Questioned kneeReads(const std::function<double(double)>& error) {
   CaptureSet set = simulatedSet(24, 6);
   const auto knee = std::find(set.jointNames.begin(), set.jointNames.end(), "LKneePitch") - set.jointNames.begin();
@@ -19,7 +19,7 @@ Questioned kneeReads(const std::function<double(double)>& error) {
   return {set, true};
 }
 
-/// Of a drift of the left knee.
+/// Prequential score of a drift of the left knee.
 Prequential driftOf(const Questioned& asked) {
   return scorePrequentially(asked.candidateTests.problem(), asked.fit.noise, sortPosesByTime(asked.measurements),
                             asked.candidateTests.findCandidate("timeDrift@LKneePitch").value());
@@ -43,9 +43,9 @@ double evidenceOfDrift(const Questioned& asked) {
 } // namespace
 
 TEST_CASE("a drift predicts the last poses, a slip does not pass for one, and nothing predicts nothing", "[slow]") {
-  // Proves the rule by which what depends on time is added: a knee that creeps by a degree foretells its last fifth and
-  // beats every step; one that slips at seven tenths of the time is explained better by a step; a knee that keeps still
-  // gains nothing.
+  // Proves the rule for adding time-dependent effects: a knee that creeps by a degree predicts the last fifth of the
+  // poses and has more evidence than any step; a slip at 70 % of the time has more evidence as a step; without an error
+  // nothing is predicted.
   const Questioned creeps = kneeReads([](double share) { return radians(1) * share; });
   CHECK(driftOf(creeps).predicts());
   CHECK(driftOf(creeps).tail > 0.01);

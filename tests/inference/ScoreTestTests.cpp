@@ -10,7 +10,7 @@
 namespace naocal {
 namespace {
 
-/// min over the chosen unknowns of the quadratic with this Hessian and gradient.
+/// Minimum over the chosen unknowns of the quadratic with this Hessian and gradient.
 double least(const Eigen::MatrixXd& hessian, const Eigen::VectorXd& gradient, const std::vector<Eigen::Index>& chosen) {
   const Eigen::VectorXd g = gradient(chosen);
   const Eigen::MatrixXd h = hessian(chosen, chosen);
@@ -20,8 +20,8 @@ double least(const Eigen::MatrixXd& hessian, const Eigen::VectorXd& gradient, co
 } // namespace
 
 TEST_CASE("a score test's fall of chi2 is what adding the candidate gains") {
-  // Proves projection, whitening and bookkeeping of ScoreTest against the dense normal equations of the model with
-  // that one candidate, for every candidate. The linearisation itself is the residuals' and tested there.
+  // Compares the score test's chi2 decrease with the dense normal equations of the model plus that candidate, for every
+  // candidate that is not absorbed. The linearisation is tested with the residuals.
   const Questioned asked{simulatedSet(8, 3), false};
   const ScoreProblem& problem = asked.candidateTests.problem();
   const Noise noise{asked.fit.noise.pixel, asked.fit.noise.encoder, 4e-4};
@@ -49,7 +49,7 @@ TEST_CASE("a score test's fall of chi2 is what adding the candidate gains") {
   int compared = 0;
   for (std::size_t i = 0; i < asked.candidateTests.candidates().size(); ++i) {
     if (tests.keptFraction(i) < 1e-2 || tests.degreesOfFreedom(i) < problem.groups[i].count) {
-      continue; // absorbed in part: then the dense equations are all but singular
+      continue; // partly absorbed: the dense equations are nearly singular
     }
     std::vector<Eigen::Index> with = own;
     for (Eigen::Index k = 0; k < problem.groups[i].count; ++k) {
@@ -64,9 +64,8 @@ TEST_CASE("a score test's fall of chi2 is what adding the candidate gains") {
 }
 
 TEST_CASE("pure noise lowers chi2 by as much as a candidate has unknowns") {
-  // Proves that drawn noise has the covariance that the tests assume: T ~ chi2 of the group's freedom has that mean,
-  // for candidates and for curves of the map, pose noise included. It does not prove that a robot's noise is of that
-  // kind.
+  // Proves that drawn noise has the assumed covariance: the statistic ~ chi2 has the mean of its degrees of freedom,
+  // for candidates and for curves of the map, including pose noise. Whether a robot's noise is like that is not tested.
   const Questioned asked{simulatedSet(8, 3), true};
   const ScoreProblem& problem = asked.candidateTests.problem();
   const Noise noise{asked.fit.noise.pixel, asked.fit.noise.encoder, 6e-4};
@@ -87,13 +86,13 @@ TEST_CASE("pure noise lowers chi2 by as much as a candidate has unknowns") {
       worst = std::max(worst, std::abs(error) / std::sqrt(2 * freedom / draws));
     }
   }
-  CHECK(worst < 5); // standard errors, over some 200 groups
+  CHECK(worst < 5); // standard errors, over about 200 groups
 }
 
 TEST_CASE("power follows the noncentral chi2 distribution") {
-  // Proves power and its inverse against published figures: 55 independent tests at a family-wise 5 % (critical chi2
-  // 11.2): power 0.43, 0.87 and 1.00 at noncentrality 10, 20 and 40, and 90 % needs 21.4.
-  const double critical = 8.2e-4; // of chi2 11.2 with one degree of freedom
+  // Compares power and its inverse with published values for 55 independent tests at a family-wise 5 % (critical chi2
+  // 11.2): power 0.43, 0.87 and 1.00 at noncentrality 10, 20 and 40; 90 % requires 21.4.
+  const double critical = 8.2e-4; // of chi2 = 11.2 with one degree of freedom
   CHECK(detectionPower(10, 1, critical) == Approx(0.43).margin(0.01));
   CHECK(detectionPower(20, 1, critical) == Approx(0.87).margin(0.01));
   CHECK(detectionPower(40, 1, critical) == Approx(1.00).margin(0.005));
@@ -101,7 +100,7 @@ TEST_CASE("power follows the noncentral chi2 distribution") {
 }
 
 TEST_CASE("a candidate is as sure to be noticed as the unknown of it that is hardest to see") {
-  // Proves that one unknown that would stand out does not make up for one that could hide.
+  // Proves that the power is that of the least detectable unknown.
   GroupEvidence group;
   group.freedom = 2;
   group.covariance = Eigen::Vector2d{0.01, 1}.asDiagonal();
@@ -112,8 +111,8 @@ TEST_CASE("a candidate is as sure to be noticed as the unknown of it that is har
 }
 
 TEST_CASE("how far an effect moves corners is what predictions show when it is put into the model") {
-  // Proves `movedPx` against predictions themselves, with and without a small effect and the own unknowns' answer to it
-  // (by the dense normal equations). They are linear, and the weights of the robust loss near 1, within 4 %.
+  // Compares `movedPx` with predictions with and without a small effect, including the response of the other unknowns
+  // (from the dense normal equations). Predictions are linear and robust weights near 1, to within 4 %.
   const Questioned asked{simulatedSet(8, 3), false};
   const ScoreProblem& problem = asked.candidateTests.problem();
   const NullModel alone{problem, asked.fit.noise};
@@ -152,7 +151,7 @@ TEST_CASE("how far an effect moves corners is what predictions show when it is p
 }
 
 TEST_CASE("a sum over poses without a row is zero") {
-  // Proves that poses in which no corner counts are no reason to stop, however many columns there are.
+  // Proves that poses without valid corners are handled, with many columns too.
   GramSum sum{64};
   sum.add({0, 1, 2}, Eigen::MatrixXd{0, 3});
   CHECK(sum.sum().isZero(0));

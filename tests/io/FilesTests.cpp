@@ -24,7 +24,7 @@ std::size_t entries(const fs::path& folder) {
 } // namespace
 
 TEST_CASE("a written file holds what was written and leaves nothing beside it") {
-  // Proves it for a new file and for one that is replaced. That a power cut does no harm cannot be shown here.
+  // Proves it for a new and for a replaced file. Safety against power cuts cannot be tested here.
   const TemporaryFolder folder;
   const fs::path file = folder.path() / "file";
   writeAtomically(file, "first");
@@ -35,7 +35,7 @@ TEST_CASE("a written file holds what was written and leaves nothing beside it") 
 }
 
 TEST_CASE("a replaced file keeps its permissions, and a link stays a link") {
-  // Proves it for permissions that no default gives.
+  // Proves it for non-default permissions.
   const TemporaryFolder folder;
   const fs::path file = folder.path() / "file", link = folder.path() / "link";
   writeAtomically(file, "first");
@@ -48,7 +48,7 @@ TEST_CASE("a replaced file keeps its permissions, and a link stays a link") {
 }
 
 TEST_CASE("what cannot be written is refused and changes nothing") {
-  // Proves it for a folder that does not exist and for a target that is a folder with content: the last step fails.
+  // Proves it for a missing folder and for a target that is a non-empty folder, where the final rename fails.
   const TemporaryFolder folder;
   fs::create_directories(folder.path() / "file" / "inside");
   for (const fs::path& file : {folder.path() / "none" / "file", folder.path() / "file"}) {
@@ -59,7 +59,7 @@ TEST_CASE("what cannot be written is refused and changes nothing") {
 }
 
 TEST_CASE("a file in a folder that must not be changed stays as it was") {
-  // Proves it for a write-protected folder; the superuser may write everywhere, who is told so instead.
+  // Proves it for a write-protected folder; skipped for root, who may write everywhere.
   const TemporaryFolder folder;
   const fs::path file = folder.path() / "file";
   writeAtomically(file, "old");
@@ -74,7 +74,7 @@ TEST_CASE("a file in a folder that must not be changed stays as it was") {
 }
 
 TEST_CASE("a device is written to and not replaced") {
-  // Proves it for /dev/null, which would be gone if it were treated like a file.
+  // Proves it for /dev/null, which a rename would replace.
   writeAtomically("/dev/null", "content");
   CHECK(fs::is_character_file("/dev/null"));
 }
@@ -89,7 +89,7 @@ TEST_CASE("what cannot be read is refused by name") {
 }
 
 TEST_CASE("a set is written into a folder that is made for it and carries the folder's name") {
-  // Proves it for nested folders, and that the name does not depend on how the path is written.
+  // Proves it for nested folders, and that the name is independent of the path's spelling.
   const TemporaryFolder folder;
   const auto set = parseCaptureSet(goodSet().dump(), "set").set;
   const fs::path place = folder.path() / "many" / "night";
@@ -103,7 +103,7 @@ TEST_CASE("a set is written into a folder that is made for it and carries the fo
 }
 
 TEST_CASE("a checksum is SHA-256") {
-  // Proves it for the two test vectors that everybody knows (FIPS 180-4: "" and "abc").
+  // Proves it for two standard test vectors (FIPS 180-4: "" and "abc").
   CHECK(sha256("") == "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
   CHECK(sha256("abc") == "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
 }

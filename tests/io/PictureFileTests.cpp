@@ -14,7 +14,7 @@ using namespace naocal;
 
 namespace {
 
-/// A slope with a disc in it: neither flat nor the same in any two rows.
+/// A gradient with a disc: not constant, all rows different.
 GreyPicture drawing(int width, int height) {
   GreyPicture picture{width, height, {}};
   for (int y = 0; y < height; ++y) {
@@ -45,7 +45,7 @@ int largestDifference(const GreyPicture& one, const cv::Mat& other) {
 } // namespace
 
 TEST_CASE("a PNG keeps every grey level, and others read the same in it") {
-  // Proves writing against OpenCV's reader and reading against OpenCV's writer, odd sizes too.
+  // Compares writing with OpenCV's reader and reading with OpenCV's writer, including odd sizes.
   for (const auto& [width, height] : {std::pair{1, 1}, {7, 3}, {64, 48}, {101, 33}}) {
     const GreyPicture picture = drawing(width, height);
     const std::string content = encodePng(picture);
@@ -57,19 +57,19 @@ TEST_CASE("a PNG keeps every grey level, and others read the same in it") {
 }
 
 TEST_CASE("colours become their luma, more bits the nearest of eight") {
-  // Proves it against OpenCV's conversion of the same colours.
+  // Compares with OpenCV's conversion of the same colours.
   const GreyPicture picture = drawing(40, 30);
   cv::Mat colours, grey, deep;
   cv::applyColorMap(image(picture), colours, cv::COLORMAP_JET);
   cv::cvtColor(colours, grey, cv::COLOR_BGR2GRAY);
   CHECK(largestDifference(decodeImage(encoded(".png", colours), "it"), grey) <= 1);
-  CHECK(largestDifference(decodeImage(encoded(".jpg", colours), "it"), grey) < 40); // JPEG thins colours out
+  CHECK(largestDifference(decodeImage(encoded(".jpg", colours), "it"), grey) < 40); // JPEG subsamples colours
   image(picture).convertTo(deep, CV_16U, 257);
   CHECK(largestDifference(decodeImage(encoded(".png", deep), "it"), image(picture)) <= 1);
 }
 
 TEST_CASE("a JPEG stays near the picture, grey or coloured") {
-  // Proves both kinds by OpenCV's reader.
+  // Decodes a grey JPEG with our reader and a coloured one with OpenCV's.
   const GreyPicture picture = drawing(64, 48);
   const std::string grey = encodeJpeg(picture.pixels, 64, 48, 95);
   CHECK(largestDifference(decodeImage(grey, "it"), image(picture)) < 40);
@@ -86,14 +86,14 @@ TEST_CASE("a JPEG stays near the picture, grey or coloured") {
 }
 
 TEST_CASE("what is no whole picture is refused by name") {
-  // Proves that a file cut off anywhere, garbage and a size that no memory holds are refused, and never half read.
+  // Proves that truncated files, corrupt data and impossible sizes are refused. Every length is tested.
   const GreyPicture picture = drawing(32, 24);
   const auto refused = [](const std::string& content) {
     CHECK_THROWS_WITH(decodeImage(content, "images/7.png"),
                       Catch::StartsWith("images/7.png: expected a whole picture"));
   };
   const std::string whole = encodePng(picture), photograph = encodeJpeg(picture.pixels, 32, 24, 90);
-  for (std::size_t length = 0; length < whole.size() - 12; ++length) { // the last chunk says nothing but "end"
+  for (std::size_t length = 0; length < whole.size() - 12; ++length) { // the last chunk is only an end mark
     refused(whole.substr(0, length));
   }
   for (std::size_t length = 0; length + 2 < photograph.size(); ++length) {
@@ -104,12 +104,12 @@ TEST_CASE("what is no whole picture is refused by name") {
   broken[broken.size() / 2] ^= 0x55;
   refused(broken);
   std::string huge = whole;
-  huge[16] = '\x7f'; // two thousand million columns
+  huge[16] = '\x7f'; // 2 * 10^9 columns
   refused(huge);
 }
 
 TEST_CASE("a picture is written as its file's name says, or not at all") {
-  // Proves both endings, and the sentence for any other.
+  // Proves both extensions, and the message for any other.
   const TemporaryFolder folder;
   const GreyPicture picture = drawing(32, 24);
   writeImage(picture, folder.path() / "it.png");

@@ -5,7 +5,7 @@
 using namespace naocal;
 
 TEST_CASE("units are read and written as products of powers") {
-  // Proves both ways, and what is no unit.
+  // Proves both directions, and the refusal of invalid units.
   for (const std::string text : {"1", "rad", "rad/Nm^2", "s/row", "1/rad", "rad/Nm^0.5", "m*rad/s^2", "1/Nm/s"}) {
     const auto unit = parseUnit(text);
     REQUIRE(unit);
@@ -22,7 +22,8 @@ TEST_CASE("units are read and written as products of powers") {
 }
 
 TEST_CASE("an angle over what it multiplies has the unit of their quotient") {
-  // Proves the units of coefficients of expressions: of a root, of a speed, of an angle, of a temperature's torque.
+  // Proves the units of an expression's coefficients: for a root, a speed, a square, an angle, and a temperature times
+  // a torque.
   const UnitPowers angle{{"rad", 1}};
   const auto over = [&](const UnitPowers& other) { return formatUnit(multiplyUnits(angle, other, -1)); };
   CHECK(over(multiplyUnits({}, *parseUnit("Nm"), 0.5)) == "rad/Nm^0.5");

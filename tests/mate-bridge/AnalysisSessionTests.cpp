@@ -17,7 +17,7 @@ using Json = nlohmann::json;
 
 namespace {
 
-/// A simulated robot with a hidden flaw: its captures in a folder, and the flaw's name.
+/// Captures of a simulated robot with a hidden effect, and the effect's label.
 struct FlawedSet {
   FlawedSet() {
     const Robot robot = loadRobot(configurationDirectory(), "V6");
@@ -38,7 +38,7 @@ struct FlawedSet {
   std::string flaw;
 };
 
-/// As of a robot that records none.
+/// The same captures without motor currents.
 Dataset withoutCurrents(Dataset opened) {
   for (CaptureSet& set : opened.sets) {
     for (Capture& capture : set.captures) {
@@ -60,8 +60,8 @@ struct Bench {
 
 TEST_CASE("adding what is missing lets the error on unseen poses fall to the noise, and going back brings it back",
           "[slow]") {
-  // Proves the loop of a person who finds a hidden flaw: told figures before and after. That the flaw itself is found
-  // is proven with the diagnosis.
+  // Proves a user's loop: held-out errors before and after adding a hidden effect. That the effect is found is tested
+  // with the diagnosis.
   Bench bench;
   REQUIRE_FALSE(bench.set.flaw.empty());
   bench.session.fit();
@@ -83,7 +83,7 @@ TEST_CASE("adding what is missing lets the error on unseen poses fall to the noi
 }
 
 TEST_CASE("an own effect is fitted like the built-in ones, and a broken one changes nothing", "[slow]") {
-  // Proves define and its refusals; what expressions may be is tested with the effects.
+  // Proves defineEffect and its refusals; valid expressions are tested with the effects.
   Bench bench;
   bench.session.fit();
   const Json fit = bench.told["fit"];
@@ -102,8 +102,8 @@ TEST_CASE("an own effect is fitted like the built-in ones, and a broken one chan
 }
 
 TEST_CASE("an own effect that is changed can be taken back, and one for every joint is asked for", "[slow]") {
-  // Proves that a changed definition belongs to its step of the history, that going back has the old one in the model
-  // again, and that an effect for every joint is among the candidates. What is refused leaves both as they were.
+  // Proves that a changed definition belongs to its revision, that goTo restores the former one, and that an effect at
+  // every joint appears among the candidates. A refused definition changes nothing.
   Bench bench;
   bench.session.fit();
   Json effect{{"name", "softness"},
@@ -118,7 +118,7 @@ TEST_CASE("an own effect that is changed can be taken back, and one for every jo
   CHECK(bench.told["set"]["own"][0]["correction"] == "a*sin(q)");
   CHECK(bench.told["fit"]["rms"] != before);
   Json broken = effect;
-  broken["correction"] = "a*current"; // was not recorded
+  broken["correction"] = "a*current"; // not recorded
   CHECK_THROWS_AS(bench.session.defineEffect(broken), InputError);
   CHECK(bench.told["set"]["own"][0]["correction"] == "a*sin(q)");
   CHECK(bench.told["ladder"]["rungs"].size() == 3);
@@ -137,8 +137,8 @@ TEST_CASE("an own effect that is changed can be taken back, and one for every jo
 }
 
 TEST_CASE("what is set on a robot is what its own calibration would set", "[slow]") {
-  // Proves that offsets that the captures hardly tell are left out, that the others are the fit's (of all constants
-  // they predict best, whatever else is missing), and that every camera's mount is complete.
+  // Proves that poorly determined offsets are excluded, that the others are those of the fit, and that every
+  // camera's mount is complete.
   Bench bench;
   bench.session.fit();
   const Json compensation = bench.told["fit"]["compensation"];
@@ -162,8 +162,8 @@ TEST_CASE("what is set on a robot is what its own calibration would set", "[slow
 }
 
 TEST_CASE("of a broken expression the place is told") {
-  // Proves that the letter is where a person must look, for syntax and for names; and that what could not be added is
-  // said before one tries.
+  // Proves the reported position for syntax errors and unknown names, and that an effect that cannot be added is
+  // refused when checked.
   const Bench bench;
   const auto checked = [&](const std::string& correction, const std::string& name = "mine") {
     return bench.session.checkEffect({{"name", name},
@@ -177,8 +177,8 @@ TEST_CASE("of a broken expression the place is told") {
   CHECK(checked("a*sin(3*q")["letter"] == 9);
   CHECK_FALSE(checked("1 + a").contains("letter"));
   CHECK_THAT(checked("1 + a")["sentence"].get<std::string>(), Catch::Contains("is 0 where its unknowns are 0"));
-  CHECK(checked("a*q", "elasticity")["ok"] == false); // a name that is taken
-  CHECK(checked("a*current")["ok"] == false);         // these captures have no currents
+  CHECK(checked("a*q", "elasticity")["ok"] == false); // name in use
+  CHECK(checked("a*current")["ok"] == false);         // no currents recorded
 }
 
 TEST_CASE("what cannot be done is refused with a sentence and changes nothing", "[slow]") {
@@ -196,7 +196,7 @@ TEST_CASE("what cannot be done is refused with a sentence and changes nothing", 
 }
 
 TEST_CASE("another model that is tried from an earlier one leaves those between in the history", "[slow]") {
-  // Proves what the panel shows of branches: nothing that was tried is lost, and each model names its origin.
+  // Proves the history's branches: all revisions are kept, and each names its origin.
   Bench bench;
   bench.session.fit();
   bench.session.add("elasticity@LKneePitch");
@@ -210,12 +210,12 @@ TEST_CASE("another model that is tried from an earlier one leaves those between 
   CHECK(rungs[2]["with"] == Json::array({"backlash@LKneePitch"}));
   CHECK(rungs[2]["from"] == 0);
   CHECK_THROWS_AS(bench.session.add("backlash@LKneePitch"), InputError);
-  CHECK_THROWS_AS(bench.session.add("jointOffset@HeadYaw"), InputError); // of the base model
+  CHECK_THROWS_AS(bench.session.add("jointOffset@HeadYaw"), InputError); // part of the base model
 }
 
 TEST_CASE("a search that is cancelled says what it has found so far", "[slow]") {
-  // Proves that a search that may not go on adds nothing, says that it was stopped, and leaves the model as it is; one
-  // that may go on finds the flaw.
+  // Proves that a cancelled search suggests nothing, reports that it was stopped and leaves the model unchanged, and
+  // that a complete one finds the effect.
   Bench bench;
   bench.session.fit();
   bench.session.searchMissing([] { return false; });
@@ -228,8 +228,9 @@ TEST_CASE("a search that is cancelled says what it has found so far", "[slow]") 
 }
 
 TEST_CASE("what the panel saves is what the terminal reads", "[slow]") {
-  // Proves that a result is opened again with its model, a diagnosis with what it suggests, a model file has the
-  // person's own effect, and that reports are pages; what is in them is tested with them.
+  // Proves that a result is opened with its model and a diagnosis with its captures, that a model file contains the
+  // custom effect, and that reports are HTML pages; their content is tested with the report. The diagnosis' suggestions
+  // are tested in DatasetTests.
   Bench bench;
   bench.session.fit();
   bench.session.defineEffect({{"name", "softness"},
@@ -253,7 +254,8 @@ TEST_CASE("what the panel saves is what the terminal reads", "[slow]") {
 }
 
 TEST_CASE("other captures are compared with the fit", "[slow]") {
-  // Proves that the same captures give the fit's own error, and that the drawing alone is worse.
+  // Proves that comparing with the same captures gives the fit's error to within 20 %, and that the drawing alone is
+  // worse.
   Bench bench;
   bench.session.fit();
   bench.session.compareWith(openDataset({(bench.set.folder.path() / "flawed").string()}));
@@ -263,7 +265,7 @@ TEST_CASE("other captures are compared with the fit", "[slow]") {
 }
 
 TEST_CASE("poses are proposed for what the model leaves open", "[slow]") {
-  // Proves that as many come as were asked for, with the angles to play them; that they tell is proven with the poses.
+  // Proves the number of poses, and that they have joint angles. Their usefulness is tested with the poses.
   Bench bench;
   bench.session.fit();
   bench.session.proposePoses(2);

@@ -18,9 +18,9 @@ using Json = nlohmann::json;
 
 namespace {
 
-/// What another thread wants done on this one, and the kinds of what panels were told.
+/// Queue of actions for this thread, and the kinds of all messages to panels.
 struct Thread {
-  /// Does what comes until that kind was told, or something was refused; false after a minute.
+  /// Runs actions until a message of this kind is the last one; false after ten minutes.
   bool until(const std::string& kind) {
     told.clear();
     const auto end = std::chrono::steady_clock::now() + std::chrono::minutes{10};
@@ -61,7 +61,7 @@ struct Thread {
                     [this](const Message& message) { told.push_back(Json::parse(*message.bytes)["kind"]); }};
 };
 
-/// A few captures of a simulated robot.
+/// Writes captures of a simulated robot with eight poses.
 void writeCaptures(const std::filesystem::path& folder) {
   const Robot robot = loadRobot(configurationDirectory(), "V6");
   SimulationPlan plan;
@@ -72,8 +72,8 @@ void writeCaptures(const std::filesystem::path& folder) {
 } // namespace
 
 TEST_CASE("who comes later is told what is true of the present fit, in the order in which it was told", "[slow]") {
-  // Proves that opening returns at once and its captures come later, that what was said of a fit goes with it, and that
-  // what cannot be opened is told and leaves what is open as it is.
+  // Proves that open() returns immediately and its captures follow, that messages about a fit are discarded with it,
+  // and that paths that cannot be opened are reported and leave the open captures unchanged.
   const TemporaryFolder folder;
   writeCaptures(folder.path() / "few");
   Thread thread;
@@ -99,7 +99,7 @@ TEST_CASE("who comes later is told what is true of the present fit, in the order
 }
 
 TEST_CASE("why there is no fit at all is told to whoever comes later, until there is one") {
-  // Proves it for a model that names what no robot has, and that its mending ends the sentence.
+  // Proves it for a model with an unknown place, and that correcting the model ends the message.
   const TemporaryFolder folder;
   writeCaptures(folder.path() / "few");
   const std::string label = "elasticity@LKneePitsch";

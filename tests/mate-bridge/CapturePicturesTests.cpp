@@ -8,7 +8,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// A robot's list after so many captures, pose by pose with the top camera.
+/// A robot's list after `count` captures, one pose each, top camera.
 Json captures(int count, const std::string& calibration = "L") {
   Json list = Json::array();
   for (int i = 1; i <= count; ++i) {
@@ -20,8 +20,8 @@ Json captures(int count, const std::string& calibration = "L") {
 } // namespace
 
 TEST_CASE("each capture keeps the picture of its own moment, whoever asks later") {
-  // Proves that the picture nearest to a capture is taken, before or after it was told, and that later ones change
-  // nothing; and the list that panels are told.
+  // Proves that the image nearest in time to a capture is assigned, whether it arrived before or after the capture's
+  // announcement, that later ones are ignored, and the list sent to panels.
   CapturePictures taken;
   taken.beginWatch();
   taken.onCaptures(captures(0), 500);
@@ -32,7 +32,7 @@ TEST_CASE("each capture keeps the picture of its own moment, whoever asks later"
   CHECK(taken.onImage("top", 1010, "right"));
   CHECK_FALSE(taken.onImage("top", 1200, "later"));
   CHECK(taken.picture(0, 0) == "right");
-  CHECK(taken.onCaptures(captures(2), 3000) == false); // no picture is near
+  CHECK(taken.onCaptures(captures(2), 3000) == false); // no image close in time
   CHECK(taken.list() == Json{{"series", 0}, {"places", {0}}});
   CHECK_FALSE(taken.picture(0, 1));
   CHECK_FALSE(taken.picture(1, 0));
@@ -40,7 +40,7 @@ TEST_CASE("each capture keeps the picture of its own moment, whoever asks later"
 }
 
 TEST_CASE("captures that nobody watched have no picture, whatever the cameras show now") {
-  // Proves that neither captures from before the first look nor those taken in a gap get the present picture.
+  // Proves that neither captures from before the first watch nor those taken in a gap get the present image.
   CapturePictures taken;
   taken.beginWatch();
   taken.onImage("top", 8990, "now");
@@ -49,15 +49,15 @@ TEST_CASE("captures that nobody watched have no picture, whatever the cameras sh
   CHECK(taken.list()["places"].empty());
   CHECK(taken.onCaptures(captures(4), 9020));
   CHECK(taken.picture(0, 3) == "now");
-  taken.beginWatch(); // it was away in between
+  taken.beginWatch(); // after an interruption
   taken.onCaptures(captures(6), 20000);
   taken.onImage("top", 20001, "later");
   CHECK(taken.list()["places"] == Json{3});
-  CHECK(taken.picture(0, 3) == "now"); // what was seen is kept
+  CHECK(taken.picture(0, 3) == "now"); // assigned images are kept
 }
 
 TEST_CASE("a new calibration begins with no pictures of the old one") {
-  // Proves it for a list that is shorter and for one that is as long but of other poses; addresses do not meet.
+  // Proves it for a shorter list and for one of equal length with other poses; URLs of the two series differ.
   CapturePictures taken;
   taken.beginWatch();
   taken.onCaptures(captures(0), 0);

@@ -19,7 +19,7 @@ using Json = nlohmann::json;
 
 namespace {
 
-/// A set "few" and, beside it, a result of it with one more effect that names the set where it is not any more.
+/// A set "few" and a result of it beside it, with one more effect and an outdated path of the set.
 void writeSetAndResult(const std::filesystem::path& folder) {
   const Robot robot = loadRobot(configurationDirectory(), "V6");
   SimulationPlan plan;
@@ -36,7 +36,7 @@ void writeSetAndResult(const std::filesystem::path& folder) {
 } // namespace
 
 TEST_CASE("a result is opened with its captures and its model") {
-  // Proves that captures are found beside the result, and that the session begins with the result's model.
+  // Proves that captures are found beside the result, and that the session starts with the result's model.
   const TemporaryFolder folder;
   writeSetAndResult(folder.path());
   std::map<std::string, Json> told;
@@ -49,7 +49,7 @@ TEST_CASE("a result is opened with its captures and its model") {
 }
 
 TEST_CASE("a recording is opened with all its sets, a diagnosis with what it suggests") {
-  // Proves both, and that an older diagnosis is opened with the sets that are named behind it and refused without.
+  // Proves both, and that an older diagnosis without inputs requires its sets to be named and is refused otherwise.
   const TemporaryFolder folder;
   writeSetAndResult(folder.path() / "recording");
   std::filesystem::rename(folder.path() / "recording" / "few", folder.path() / "recording" / "second");
@@ -71,7 +71,7 @@ TEST_CASE("a recording is opened with all its sets, a diagnosis with what it sug
 }
 
 TEST_CASE("a model that was saved is opened with captures") {
-  // Proves that its effects are in, or out, and that its own definitions come along; alone it is refused.
+  // Proves that added, removed and custom effects are restored; a model alone is refused.
   const TemporaryFolder folder;
   writeSetAndResult(folder.path());
   const std::string model = (folder.path() / "model.json").string(), set = (folder.path() / "few").string();
@@ -96,8 +96,8 @@ TEST_CASE("a model that was saved is opened with captures") {
 }
 
 TEST_CASE("a session is kept as it goes, and gone on from", "[slow]") {
-  // Proves that the file holds the ladder after each change, that it is opened alone, with its captures, and by a
-  // panel that keeps it, with where one stood and what was found; and that captures that changed since are refused.
+  // Proves that the file contains the history after each change; that it can be opened alone, with its captures, and by
+  // a panel that keeps it, restoring the present revision and results; and that modified captures are refused.
   const TemporaryFolder folder;
   writeSetAndResult(folder.path());
   const std::string set = (folder.path() / "few").string(), file = (folder.path() / "kept").string();
@@ -127,7 +127,7 @@ TEST_CASE("a session is kept as it goes, and gone on from", "[slow]") {
 }
 
 TEST_CASE("what cannot be opened is refused with its name and what to do") {
-  // Proves the sentences for what is neither a set nor a result, and for a result without its captures.
+  // Proves the messages for unsupported files and for a result without its captures.
   const TemporaryFolder folder;
   writeSetAndResult(folder.path());
   const std::string result = (folder.path() / "result.json").string();
@@ -136,7 +136,7 @@ TEST_CASE("what cannot be opened is refused with its name and what to do") {
   writeAtomically(folder.path() / "other.json", R"({"format": "naocal-poses"})");
   CHECK_THROWS_WITH(openDataset({(folder.path() / "other.json").string()}),
                     Contains("opens capture sets, recordings, results, diagnoses, sessions and models"));
-  const std::string overlong(5000, 'x'); // no system opens it
+  const std::string overlong(5000, 'x'); // longer than any system's paths
   CHECK_THROWS_AS(openDataset({overlong}), InputError);
   CHECK_THROWS_AS(openDataset({overlong + ".json"}), InputError);
   std::filesystem::remove_all(folder.path() / "few");

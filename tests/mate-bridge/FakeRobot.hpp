@@ -12,7 +12,7 @@
 
 namespace naocal {
 
-/// A robot's two UNIX sockets that say only what a test gives them, and keep what the configuration socket is asked.
+/// A robot's two UNIX sockets; sends only the given list of mounts, and records requests for keys.
 class FakeRobot {
 public:
   FakeRobot(boost::asio::io_context& context, const std::filesystem::path& folder, std::string mounts)
@@ -23,7 +23,7 @@ public:
     accept(config_, configFormat);
   }
 
-  std::vector<std::string> keysAskedFor; // mounts, by GET_KEYS
+  std::vector<std::string> keysAskedFor; // mounts requested by GET_KEYS
 
 private:
   using Local = boost::asio::local::stream_protocol;

@@ -36,7 +36,7 @@ Board board() {
   return result;
 }
 
-/// Where a point of the floor is seen, by the pinhole's own formula.
+/// Projection of a point on the floor, by the pinhole formula.
 Eigen::Vector2d seenAt(const Eigen::Vector3d& onFloor, const CameraView& eye) {
   const Eigen::Vector3d p = eye.floorFromOptical.rotation.transpose() * (onFloor - eye.floorFromOptical.translation);
   return {eye.lens.cx + eye.lens.fx * p.x() / p.z(), eye.lens.cy + eye.lens.fy * p.y() / p.z()};
@@ -55,7 +55,7 @@ BoardCorners view(const Board& shown, const Placement& place, const CameraView& 
 } // namespace
 
 TEST_CASE("a robot stands on its lower foot, and on both where they are level") {
-  // Proves which sole is the floor, and that the floor is there: the carrying foot's outline lies around the origin.
+  // Proves which sole defines the floor, and that the supporting foot's outline surrounds the origin.
   CHECK(standing({}).toJson({})["carries"] == "both");
   const Json left = standing({{"RHipPitch", -0.6}, {"RKneePitch", 1.2}, {"RAnklePitch", -0.6}}).toJson({});
   CHECK(left["carries"] == "left");
@@ -67,11 +67,11 @@ TEST_CASE("a robot stands on its lower foot, and on both where they are level") 
   }
   CHECK(nearest < -0.04);
   CHECK(farthest > 0.09);
-  CHECK(left["centre"][2] > 0.2); // [m] above the floor
+  CHECK(left["centre"][2] > 0.2); // height above the floor [m]
 }
 
 TEST_CASE("angles come in HULKs' order or by name, and nothing else is taken") {
-  // Proves that both ways mean the same joints, and the refusals of other lists.
+  // Proves that both formats give the same joints, and the refusal of other lists.
   Json list(std::vector<double>(26, 0));
   list[1] = 0.3;  // head pitch
   list[17] = 0.9; // right knee pitch
@@ -85,8 +85,8 @@ TEST_CASE("angles come in HULKs' order or by name, and nothing else is taken") {
 }
 
 TEST_CASE("a board lies where its corners are seen, and what is off shows as a distance from its prediction") {
-  // Proves the board's place against a projection of our own, from two attitudes of the head; and that a head that
-  // stands elsewhere than its encoder says lets corners and predictions part.
+  // Proves the board's placement against the test's own projection, for two head angles; and that a wrong head angle
+  // separates corners and predictions.
   const Board shown = board();
   const Placement place{0.7, 0.1, 0, 0, 0, 0.4};
   FloorBoardTracker boards{{shown}};
@@ -109,11 +109,13 @@ TEST_CASE("a board lies where its corners are seen, and what is off shows as a d
                         camera().intrinsics};
   const CameraView believed{*standing({{"HeadPitch", 0.35}}).floorFromOptical("top", camera()), camera().intrinsics};
   const BoardCorners seen = view(shown, place, real);
-  CHECK((boards.update(seen, believed)[0] - seen.uv[0]).norm() > 3); // [px], of 0.02 rad * 560 px two thirds
+  CHECK((boards.update(seen, believed)[0] - seen.uv[0]).norm() > 3); // [px]; 0.02 rad * 560 px = 11 px, of which the
+                                                                     // placement absorbs a part
 }
 
 TEST_CASE("a board that was moved is found anew, and a corner above the horizon tells nothing") {
-  // Proves that old views of a moved board are forgotten, and the refusal of pictures that do not look down.
+  // Proves that former views of a moved board are discarded, and that corners above the horizon, unknown boards and
+  // unknown corners are ignored.
   const Board shown = board();
   FloorBoardTracker boards{{shown}};
   const CameraView eye{*standing({{"HeadPitch", 0.35}}).floorFromOptical("top", camera()), camera().intrinsics};
@@ -130,7 +132,7 @@ TEST_CASE("a board that was moved is found anew, and a corner above the horizon 
 }
 
 TEST_CASE("what a camera sees of the floor holds the point that it looks at, and ends after three metres") {
-  // Proves the view's polygon by the optical axis' own point and its reach.
+  // Proves the polygon by the optical axis' intersection with the floor, and its range.
   const RobotOutline robot = standing({{"HeadPitch", 0.2}});
   const Json drawn = robot.toJson({{"top", camera()}});
   const auto middle = intersectFloor(*robot.floorFromOptical("top", camera()), camera().intrinsics, {320, 240});

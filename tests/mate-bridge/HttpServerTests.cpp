@@ -17,7 +17,7 @@ using Catch::Contains;
 
 namespace {
 
-/// A server that answers "page" to its address, and what it was sent live.
+/// A server that serves "the page" at its address.
 struct Serving {
   Serving() : thread{[this] { context.run(); }} {}
   ~Serving() {
@@ -25,7 +25,7 @@ struct Serving {
     thread.join();
   }
 
-  /// What the server writes in answer to these bytes, until it closes or has written `enough`.
+  /// The server's reply to these bytes, until it closes or has sent `enough`.
   std::string answer(const std::string& request, const std::string& enough = "no end") const {
     const std::string address = server.address();
     const std::string port = address.substr(17, address.find('/', 17) - 17);
@@ -64,7 +64,7 @@ struct Serving {
 } // namespace
 
 TEST_CASE("the page is served with a policy that lets nothing from elsewhere in") {
-  // Proves status, body and the headers on which the page's safety rests; browsers' obedience is tested in a browser.
+  // Proves status, body and security headers; their effect is tested in a browser.
   const Serving serving;
   const std::string answer =
       serving.answer(fmt::format("GET {} HTTP/1.1\r\nHost: {}\r\n\r\n", serving.path(), serving.host()));
@@ -77,7 +77,7 @@ TEST_CASE("the page is served with a policy that lets nothing from elsewhere in"
 }
 
 TEST_CASE("a live connection is refused to other origins") {
-  // Proves it at the socket, for whoever knows the token: 101 switches protocols, 403 does not.
+  // Proves it at the socket, with the correct token: 101 switches protocols, 403 refuses.
   const Serving serving;
   CHECK_THAT(serving.answer(serving.upgrade("http://" + serving.host()), "\r\n\r\n"),
              Contains("101 Switching Protocols"));
@@ -86,7 +86,7 @@ TEST_CASE("a live connection is refused to other origins") {
 }
 
 TEST_CASE("what is no HTTP is closed without harm") {
-  // Proves it for garbage and for a head beyond all bounds; the server answers the next one.
+  // Proves it for random bytes and an oversized header; the server then serves the next request.
   const Serving serving;
   CHECK(serving.answer(std::string(100, '\xff') + "\r\n\r\n").find("200") == std::string::npos);
   CHECK(serving.answer("GET / HTTP/1.1\r\nX: " + std::string(20000, 'x')).find("200") == std::string::npos);
@@ -95,7 +95,7 @@ TEST_CASE("what is no HTTP is closed without harm") {
 }
 
 TEST_CASE("codes in an address are letters again") {
-  // Proves it for spaces and umlauts, as browsers encode them, and that what is no code stays.
+  // Proves it for spaces and umlauts in the encoding of browsers, and that invalid codes are unchanged.
   CHECK(decodePercents("a%20robot/%C3%BCbung/3") == "a robot/\u00fcbung/3");
   CHECK(decodePercents("100%/%zz%4") == "100%/%zz%4");
 }

@@ -54,8 +54,8 @@ LiveExpectation expectation(const Json& offsets, const Eigen::VectorXd& angles,
 } // namespace
 
 TEST_CASE("a live comparison names the limb that was never calibrated and what it may be off by") {
-  // Proves the sentence of a robot on both feet whose right leg has no offsets, and that standing on the left foot
-  // alone the right leg does not matter.
+  // Proves the message for a robot on both feet whose right leg has no offsets, and that standing on the left foot
+  // only, the right leg does not matter.
   const LiveExpectation both = expectation(offsets(0.5, "R"), looking());
   CHECK(both.joints.size() == 6);
   CHECK(both.px > 5);
@@ -68,24 +68,24 @@ TEST_CASE("a live comparison names the limb that was never calibrated and what i
 }
 
 TEST_CASE("what a single joint may be off by is what its turn does to the picture") {
-  // Proves the pixels against a formula: a neck that pitches by dq moves a point straight ahead on the floor by f dq
-  // within the picture, and boards that lie where they are seen take up no part of a pitch but the floor's shift.
+  // Checks the order of magnitude: a neck pitch of dq shifts a point straight ahead by about f dq in the image, and the
+  // boards' estimated placement absorbs a part.
   const LiveExpectation pitch = expectation(offsets(0.5, "HeadPitch"), looking());
   CHECK(pitch.joints == std::vector<std::string>{"HeadPitch"});
-  CHECK(pitch.px > 0.05 * 560 * 0.1); // 0.1 rad is the offset's sigma
+  CHECK(pitch.px > 0.05 * 560 * 0.1); // sigma of an offset: 0.1 rad
   CHECK(pitch.px < 1.3 * 560 * 0.1);
 }
 
 TEST_CASE("a turn that boards on the floor take up shows nowhere, so it is not expected to") {
-  // Proves that an offset of the head's yaw, which turns the whole floor as it is seen, counts for nothing: on an
-  // upright robot the axis is upright.
+  // Proves that a head yaw offset, which rotates the whole floor, does not count: on an upright robot the axis is
+  // vertical.
   const LiveExpectation yaw = expectation(offsets(0.5, "HeadYaw"), looking(0.4));
   CHECK(yaw.joints.empty());
   CHECK(yaw.px < 1);
 }
 
 TEST_CASE("a camera that sits as drawn was not calibrated") {
-  // Proves that the mount counts beside the joints, by its name, and no longer once it was turned.
+  // Proves that an uncalibrated mount counts in addition to the joints and is named; a calibrated one does not count.
   LiveCamera asDrawn = turnedCamera();
   asDrawn.rotation.setZero();
   const LiveExpectation mount = expectation(offsets(0.5), looking(), asDrawn);

@@ -20,7 +20,7 @@ namespace {
 
 namespace websocket = boost::beast::websocket;
 
-/// A bridge without captures and robots, and a page that is connected to it.
+/// A bridge without captures and robots, and a connected page.
 class Page {
 public:
   Page() {
@@ -36,7 +36,7 @@ public:
     thread_.join();
   }
 
-  /// What the bridge says to a request before it answers the next one.
+  /// Messages of the bridge in reply to a request, up to the reply to the next one.
   std::vector<Json> answers(const std::string& request) {
     const Json next{{"do", "stand"}, {"angles", Json::array()}, {"number", ++number_}};
     socket_.write(boost::asio::buffer(request));
@@ -52,7 +52,7 @@ public:
       said.push_back(std::move(one));
     }
   }
-  /// Why a request was refused; empty: it was not.
+  /// The refusal's sentence; empty if the request was accepted.
   std::string refusal(const Json& request) { return refusalOf(request.dump()); }
   std::string refusalOf(const std::string& request) {
     for (const Json& one : answers(request)) {
@@ -74,8 +74,8 @@ private:
 } // namespace
 
 TEST_CASE("what a page asks for goes by its verb, and what the bridge does not know is refused in words") {
-  // Proves the answers to verbs that there are not, that need captures, and to what is no request at all; after each
-  // the bridge goes on answering.
+  // Proves the refusals of unknown verbs, of verbs that need captures, and of malformed requests; the bridge keeps
+  // replying.
   Page page;
   CHECK(page.refusal({{"do", "dance"}}) == "the bridge does not know how to do \"dance\"");
   for (const char* const verb :
@@ -93,7 +93,7 @@ TEST_CASE("what a page asks for goes by its verb, and what the bridge does not k
 }
 
 TEST_CASE("a page that comes is told the order of joints") {
-  // Proves that the first message names the joints in the order of the robot's lists.
+  // Proves that the first message lists the joints in the order of the robot's lists.
   Page page;
   const Json hello = page.answers(R"({"do": "dance"})").front();
   CHECK(hello["kind"] == "hello");
@@ -102,7 +102,7 @@ TEST_CASE("a page that comes is told the order of joints") {
 }
 
 TEST_CASE("how a robot would stand is drawn for the angles that are given") {
-  // Proves that the answer bears the request's number and the drawing of these angles.
+  // Proves that the reply has the request's number and the outline of these angles.
   Page page;
   const std::vector<Json> said = page.answers(R"({"do": "stand", "angles": {"HeadYaw": 0.5}, "number": -3})");
   REQUIRE_FALSE(said.empty());
@@ -111,7 +111,7 @@ TEST_CASE("how a robot would stand is drawn for the angles that are given") {
 }
 
 TEST_CASE("what a page takes back of a robot that has gone is no mistake") {
-  // Proves that cancelled subscriptions of a robot that was disconnected are silent, and that anything else is refused.
+  // Proves that cancelling a subscription of a disconnected robot is silent, and that other requests are refused.
   Page page;
   for (const char* const verb : {"unsubscribe", "unwatch"}) {
     CHECK(page.refusal({{"do", verb}, {"robot", "gone"}, {"key", "Brain.count"}}).empty());

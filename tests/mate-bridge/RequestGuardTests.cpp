@@ -9,7 +9,7 @@ namespace {
 const std::string token = "0123456789abcdef0123456789abcdef";
 const RequestGuard guard{token, 8123};
 
-/// What the page's own script asks.
+/// Request of the page's own script.
 RequestInfo own() {
   return {
       "GET", "/0123456789abcdef0123456789abcdef/live", "127.0.0.1:8123", "http://127.0.0.1:8123", "same-origin", true,
@@ -23,7 +23,8 @@ unsigned refused(const RequestInfo& asked) {
 } // namespace
 
 TEST_CASE("the panel's own page is let in") {
-  // Proves that page and live connection pass, with either name of this computer; not that browsers send these headers.
+  // Proves that page and live connection are accepted, with both names of this computer. That browsers send these
+  // headers is not tested.
   CHECK(refused(own()) == 200);
   CHECK(guard.pathOf(own().target) == "live");
   RequestInfo page{"GET", "/0123456789abcdef0123456789abcdef/", "localhost:8123", "", "none", false, true};
@@ -32,8 +33,7 @@ TEST_CASE("the panel's own page is let in") {
 }
 
 TEST_CASE("pages of other origins and sites are refused") {
-  // Proves that a stranger's page is refused even if it knew the token, live or not, and also where it hides its
-  // origin.
+  // Proves that pages of other origins are refused even with the token, live or not, and without an Origin header too.
   for (const char* const origin : {"http://evil.example", "https://127.0.0.1:8123", "http://127.0.0.1:8124", "null",
                                    "http://127.0.0.1:8123.evil.example", "http://localhost"}) {
     RequestInfo asked = own();
@@ -53,8 +53,8 @@ TEST_CASE("pages of other origins and sites are refused") {
 }
 
 TEST_CASE("a person's browser may be led to the page, and to nothing else") {
-  // Proves that a page that knows the token may send the window there as a whole (as the private file does that
-  // mate-bridge opens), but may not load its parts, nor open a frame: that is no visit.
+  // Proves that another page with the token may navigate the window to the panel (as does the private file that
+  // mate-bridge opens), but may not load its resources or embed it.
   RequestInfo visit{"GET", "/0123456789abcdef0123456789abcdef/", "127.0.0.1:8123", "", "cross-site", false, true};
   CHECK(refused(visit) == 200);
   visit.visits = false;
@@ -66,7 +66,7 @@ TEST_CASE("a person's browser may be led to the page, and to nothing else") {
 }
 
 TEST_CASE("a name that was bent to point here is refused") {
-  // Proves that DNS rebinding fails: the browser still sends the stranger's host name.
+  // Proves that DNS rebinding fails: the browser sends the attacker's host name.
   for (const char* const host : {"evil.example:8123", "127.0.0.1", "127.0.0.1:80", "", "127.0.0.1:8123@evil.example"}) {
     RequestInfo asked = own();
     asked.host = host;
@@ -75,7 +75,7 @@ TEST_CASE("a name that was bent to point here is refused") {
 }
 
 TEST_CASE("without the whole token there is nothing to find") {
-  // Proves that shorter, longer and other tokens are refused. That they take equally long is not tested.
+  // Proves that shorter, longer and wrong tokens are refused. Constant time is not tested.
   for (const char* const target : {"/", "", "/live", "/0123456789abcdef0123456789abcde/live",
                                    "/0123456789abcdef0123456789abcdee/live", "/0123456789abcdef0123456789abcdef",
                                    "/0123456789abcdef0123456789abcdef0/live", "//0123456789abcdef0123456789abcdef/"}) {
@@ -86,7 +86,7 @@ TEST_CASE("without the whole token there is nothing to find") {
 }
 
 TEST_CASE("only reading is allowed over HTTP") {
-  // Proves that forms of other pages cannot post anything.
+  // Proves that forms of other pages cannot post.
   RequestInfo asked = own();
   asked.live = false;
   asked.method = "POST";
@@ -94,7 +94,7 @@ TEST_CASE("only reading is allowed over HTTP") {
 }
 
 TEST_CASE("tokens differ and have 128 bits") {
-  // Proves length and difference; how random they are is the system's affair.
+  // Proves length and difference. Randomness relies on the system.
   CHECK(makeToken().size() == 32);
   CHECK(makeToken() != makeToken());
 }

@@ -19,9 +19,10 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// A panel that keeps what it is told, and the context that serves it.
+/// A panel that stores its messages, and the io_context that runs it.
 struct Listening {
-  /// Runs until something told has this kind and satisfies the test; the last such. Null after five minutes.
+  /// Runs until a message of this kind satisfies the predicate; returns the first such message. Null after five
+  /// minutes.
   template <class Test> Json heard(const std::string& kind, const Test& test) {
     const auto end = std::chrono::steady_clock::now() + std::chrono::minutes{5};
     for (std::size_t i = 0; std::chrono::steady_clock::now() < end;
@@ -37,7 +38,7 @@ struct Listening {
   Json heard(const std::string& kind) {
     return heard(kind, [](const Json&) { return true; });
   }
-  /// Runs until this holds, at most five minutes.
+  /// Runs until the predicate holds, at most five minutes.
   template <class Test> void runUntil(const Test& holds) {
     const auto end = std::chrono::steady_clock::now() + std::chrono::minutes{5};
     while (!holds() && std::chrono::steady_clock::now() < end) {
@@ -75,7 +76,7 @@ bool hasFactor(const Json& told, double wanted) {
 } // namespace
 
 TEST_CASE("a robot's keys, values, pictures and parameters reach the panel that asked") {
-  // Proves it against the robot's own servers over UNIX sockets, and that other keys are not told.
+  // Proves it with the robot's own servers over UNIX sockets; keys without a subscription are not sent.
   ShownRobot robot;
   Listening panel;
   const std::string here = robot.settings.unixFolder.string();
@@ -102,7 +103,7 @@ TEST_CASE("a robot's keys, values, pictures and parameters reach the panel that 
 }
 
 TEST_CASE("a parameter that is set is set on the robot") {
-  // Proves SET by the value that the robot then tells; saving is the robot's affair.
+  // Proves SET by reading the value back; saving is tested with the robot.
   ShownRobot robot;
   Listening panel;
   const std::string here = robot.settings.unixFolder.string();
@@ -113,8 +114,8 @@ TEST_CASE("a parameter that is set is set on the robot") {
 }
 
 TEST_CASE("a robot ends what it does for panels that have gone, and is connected again to one that comes", "[slow]") {
-  // Proves that the robot's last will happens after the last panel, that a panel which comes then sees it, and that
-  // neither a panel that stays nor one that is only loaded anew lets it happen.
+  // Proves that the last will is executed after the last panel has left, that a later panel sees its effect, and that
+  // it is not executed while a panel remains or during a reload.
   ShownRobot robot;
   Listening panel;
   const std::string here = robot.settings.unixFolder.string();
@@ -145,8 +146,8 @@ TEST_CASE("a robot ends what it does for panels that have gone, and is connected
 }
 
 TEST_CASE("a robot is asked for the keys of mounts that it listed only") {
-  // Proves it for whoever looks at its cameras and for a panel that asks, before and after the robot's list comes: the
-  // service of a HULKs robot ends at a name that it does not know.
+  // Proves it for watching the cameras and for a panel's requests, before and after the robot's list has arrived: a
+  // HULKs robot's service terminates on an unknown name.
   const TemporaryFolder folder;
   Listening panel;
   const std::string here = folder.path().string();
@@ -162,12 +163,12 @@ TEST_CASE("a robot is asked for the keys of mounts that it listed only") {
   REQUIRE_FALSE(panel.heard("mounts").is_null());
   ask();
   panel.runUntil([&] { return robot.keysAskedFor.size() >= 2; });
-  panel.context.run_for(std::chrono::milliseconds{200}); // for what must not come
+  panel.context.run_for(std::chrono::milliseconds{200}); // for messages that must not come
   CHECK(robot.keysAskedFor == std::vector<std::string>{"Brain.Counter", "Brain.Counter"});
 }
 
 TEST_CASE("a robot that is looked at is asked for its boards once it has listed that it has some") {
-  // Proves that the watch's question waits for the robot's list of mounts.
+  // Proves that the request for boards is deferred until the robot has listed its mounts.
   const TemporaryFolder folder;
   Listening panel;
   const std::string here = folder.path().string();
@@ -176,12 +177,12 @@ TEST_CASE("a robot that is looked at is asked for its boards once it has listed 
   panel.robots.at(here, "watch").watch(1);
   REQUIRE_FALSE(panel.heard("mounts").is_null());
   panel.runUntil([&] { return !robot.keysAskedFor.empty(); });
-  panel.context.run_for(std::chrono::milliseconds{200}); // for what must not come
+  panel.context.run_for(std::chrono::milliseconds{200}); // for messages that must not come
   CHECK(robot.keysAskedFor == std::vector<std::string>{std::string{LiveDetection::boardsMount}});
 }
 
 TEST_CASE("a robot that comes back is connected and subscribed to again", "[slow]") {
-  // Proves it for a robot whose process ended and was started anew; that nothing is sent meanwhile is refused in words.
+  // Proves it for a robot process that is restarted; saving meanwhile is refused.
   TemporaryFolder folder;
   const std::filesystem::path here = folder.path() / "robot";
   Listening panel;
@@ -212,7 +213,7 @@ TEST_CASE("a robot that comes back is connected and subscribed to again", "[slow
 }
 
 TEST_CASE("whoever is no robot is told so, and the panel lives on") {
-  // Proves it over TCP for servers that answer with something else, with another version, or without end.
+  // Proves it over TCP for servers with another protocol, another version, or an oversized frame.
   using namespace std::string_literals;
   const auto [answer, sentence] = GENERATE(table<std::string, std::string>(
       {{"HTTP/1.1 400 Bad Request\r\n\r\n", "does not speak HULKs' protocol (expected a frame that begins with DMSG)"},
@@ -228,7 +229,7 @@ TEST_CASE("whoever is no robot is told so, and the panel lives on") {
       debug.emplace(panel.context, Tcp::endpoint{loopback, static_cast<std::uint16_t>(base + 1)});
       config.emplace(panel.context, Tcp::endpoint{loopback, static_cast<std::uint16_t>(base + 2)});
       break;
-    } catch (const boost::system::system_error&) { // taken: the next ones
+    } catch (const boost::system::system_error&) { // port in use: tries the next ones
       debug.reset();
     }
   }
@@ -243,7 +244,7 @@ TEST_CASE("whoever is no robot is told so, and the panel lives on") {
 }
 
 TEST_CASE("a robot's address is a host, a host with its base port, or a folder") {
-  // Proves what is taken and that everything else is refused with a sentence.
+  // Proves the accepted forms, and the refusal of others.
   CHECK(parseRobotAddress("nao21").basePort == 12440);
   CHECK(parseRobotAddress("10.1.24.31:13000").basePort == 13000);
   CHECK(parseRobotAddress("/tmp/sockets/Ada").folder == "/tmp/sockets/Ada");

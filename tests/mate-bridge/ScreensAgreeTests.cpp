@@ -13,15 +13,15 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// What every screen says about one set.
+/// Output of all surfaces for one set.
 struct Said {
   Json result, diagnosis;                 // files
   std::string solved, diagnosed;          // terminal
   std::string resultPage, diagnosisPage;  // reports
-  std::map<std::string, Json> panel = {}; // by kind
+  std::map<std::string, Json> panel = {}; // messages by kind
 };
 
-/// Runs naocal; what it prints goes to `output`.
+/// Runs naocal with its output redirected to `output`. Exit codes 0 and 3 are accepted.
 void run(const std::string& words, const std::filesystem::path& output) {
   const std::string command = fmt::format("'{}' {} > '{}' 2>&1", NAOCAL_PROGRAM, words, output.string());
   const int code = std::system(command.c_str());
@@ -49,7 +49,7 @@ Said saidAbout(const std::filesystem::path& set, const std::filesystem::path& fo
   return said;
 }
 
-/// A sentence as a page's data hold it.
+/// A sentence in the encoding of a page's data.
 std::string escaped(const Json& sentence) {
   return sentence.dump();
 }
@@ -79,11 +79,11 @@ void checkDiagnosis(const Said& said) {
   const std::size_t added = diagnosis["suggested"].size() - diagnosis["define"].size();
   if (added == 0 || questions["verdict"] == "bad-captures") {
     CHECK(questions["verdict"] == diagnosis["verdict"]);
-  } else { // the panel shows the model as given, and what is to be added to it first
+  } else { // the panel tests the model as given; the first suggestion leads its list
     CHECK(questions["verdict"] == "effect-missing");
     CHECK(questions["candidates"][0]["label"] == diagnosis["suggested"][0]);
   }
-  std::map<std::string, Json> shown; // candidates in the panel
+  std::map<std::string, Json> shown; // the panel's candidates
   for (const Json& candidate : questions["candidates"]) {
     shown[candidate["label"]] = candidate;
   }
@@ -94,17 +94,17 @@ void checkDiagnosis(const Said& said) {
     CAPTURE(label, entry["state"]);
     CHECK_FALSE((suggested && entry["state"] != "present"));
     REQUIRE(shown.count(label) == 1);
-    if (entry["step"] == 0 && entry["evidence"].is_number()) { // its evidence is the model's as given
+    if (entry["step"] == 0 && entry["evidence"].is_number()) { // evidence relative to the model as given
       CHECK(shown[label]["evidence"] == entry["evidence"]);
     }
   }
 }
 
-/// Result and diagnosis are of the same model and the same captures.
+/// Compares result and diagnosis of the same model and captures.
 void checkTogether(const Said& said) {
   const Json &result = said.result, &diagnosis = said.diagnosis;
   const std::string verdict = result["verdict"], found = diagnosis["verdict"];
-  const bool isAside = holds(result["sentence"], "where the others put"); // single boards that were moved
+  const bool isAside = holds(result["sentence"], "where the others put"); // single displaced boards
   const bool isFine = found == "adequate" || found == "scatter" || (found == "bad-captures" && isAside);
   CAPTURE(result["sentence"].get<std::string>(), diagnosis["sentence"].get<std::string>());
   CHECK(diagnosis["lackOfFit"]["rmsPx"].get<double>() == Approx(result["rmsPx"].get<double>()).epsilon(0.01));
@@ -113,17 +113,17 @@ void checkTogether(const Said& said) {
     CHECK(isFine);
   } else if (verdict == "cause-missing") {
     CHECK((!isFine || isAside));
-  } // what is not to be used may be so for want of poses alone
+  } // "do-not-use" may have other causes, such as few poses
 }
 
 } // namespace
 
 TEST_CASE("all screens say the same about a set of captures", "[slow]") {
-  // Proves that terminal, files, reports and panel give one verdict, one sentence and the same numbers about each set
-  // of the table, and that calibration and diagnosis do not contradict each other. Not that they are right.
+  // Proves that terminal, files, reports and panel give the same verdict, sentence and numbers for each set of the
+  // table, and that calibration and diagnosis are consistent. Correctness is not tested.
   struct Row {
     const char* name;
-    const char* options; // of simulate
+    const char* options; // options of simulate
   };
   const std::vector<Row> table{
       {"sound", "--poses 16"},

@@ -1,4 +1,4 @@
-// What the tests that drive the panel in a real browser share.
+// Helpers of the tests that drive the panel in a real browser.
 import {spawn, execFileSync} from "node:child_process";
 import {createRequire} from "node:module";
 import {existsSync, mkdirSync, mkdtempSync, rmSync} from "node:fs";
@@ -6,11 +6,11 @@ import {tmpdir} from "node:os";
 import {join} from "node:path";
 
 const notRun = 77; // CTest's SKIP_RETURN_CODE
-const patience = 900000; // ms for anything: a test fails by what happens, not by how busy the machine is
+const patience = 900000; // timeout of all waits [ms]; long, as results must not depend on the machine's load
 
 export const skip = why => { console.log("not run: " + why); process.exit(notRun); };
 
-// The browser's driver and axe, from the packages that the page was built with.
+// Browser driver and axe, from the packages that the page was built with.
 export function tools(modules) {
   const browser = ["/usr/bin/chromium", "/usr/bin/google-chrome"].find(existsSync);
   if (!browser) skip("there is no chromium");
@@ -28,10 +28,10 @@ export function check(truth, sentence) {
   if (!truth) failures.push(sentence);
 }
 
-// Whether something awaited comes about before its time is over.
+// Checks that a promise resolves before its timeout.
 export const happens = (awaited, sentence) => awaited.then(() => check(true, sentence), error => check(false, sentence + ": " + error.message.split("\n")[0]));
 
-// A program that runs until `stop`; the address is in the first line that it prints.
+// Starts a program that runs until `stop`; its first line of output contains the address.
 export async function started(program, ...options) {
   const child = spawn(program, options, {stdio: ["ignore", "pipe", "inherit"]});
   process.on("exit", () => child.kill("SIGKILL"));
@@ -56,14 +56,14 @@ export function folder() {
   return path;
 }
 
-// A page that waits as long as a busy machine takes.
+// A page with the long timeout.
 export async function patientPage(browser, options = {}) {
   const page = await browser.newPage(options);
   page.setDefaultTimeout(patience);
   return page;
 }
 
-// Until something holds that no page shows; false where it never does.
+// Polls a condition outside the page; false on a timeout.
 export async function until(holds) {
   const end = Date.now() + patience;
   while (Date.now() < end) {
@@ -73,7 +73,7 @@ export async function until(holds) {
   return false;
 }
 
-// A page whose complaints are failures; but that nobody answers is no fault of the page.
+// A page whose console errors, warnings and exceptions are failures, except refused connections.
 export async function quietPage(browser, address, options = {}) {
   const page = await patientPage(browser, {viewport: {width: 1366, height: 800}, ...options});
   page.on("console", message => { if (["error", "warning"].includes(message.type()) && !message.text().includes("ERR_CONNECTION_REFUSED")) check(false, "the console is quiet: " + message.text()); });
@@ -82,17 +82,17 @@ export async function quietPage(browser, address, options = {}) {
   return page;
 }
 
-// A camera's picture has come, however slow the next ones are.
+// Waits for the first picture of a camera.
 export const livePicture = page => page.locator(".camera figcaption", {hasText: /\d+ × \d+ px/}).first().waitFor();
 
 export const px = text => Number(text.match(/([\d.]+) px/)[1]);
 
-// Pictures of a view in light, dark and in a narrow window, and what axe says of it.
+// Screenshots of a view in light, dark and in a narrow window; checks accessibility with axe, and the width.
 export async function portrait(page, axe, pictures, name) {
   mkdirSync(pictures, {recursive: true});
   for (const colorScheme of ["light", "dark"]) {
     await page.emulateMedia({colorScheme, reducedMotion: "reduce"});
-    await page.evaluate(() => scrollTo(0, 0)); // the header stays at the top of what is in sight
+    await page.evaluate(() => scrollTo(0, 0)); // the header is sticky
     await page.waitForTimeout(150);
     await page.screenshot({path: join(pictures, name + "-" + colorScheme + ".png"), fullPage: true});
     await page.evaluate(axe);

@@ -1,5 +1,5 @@
-// How much memory the page and the bridge take while two cameras, overlays and plots run: their growth in MB a minute,
-// as the slope over the second half of the time. Not among the tests that run each time: it takes as long as one says.
+// Memory growth of page and bridge with two cameras, overlays and plots [MB/min]: slope over the second half of the run.
+// Run by hand, for the given time.
 // Usage: node endurance.mjs NAOCAL-ROBOT MATE-BRIDGE NODE_MODULES CONFIGURATION MINUTES
 import {readFileSync} from "node:fs";
 import {tools, check, panelOf, folder, quietPage, livePicture, end} from "./browser.mjs";

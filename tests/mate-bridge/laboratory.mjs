@@ -1,6 +1,6 @@
-// Drives the laboratory in a real browser: a set with a hidden flaw is opened, the flaw found and added by a click, the
-// shown error falls to the noise; a custom effect; undo; a stranger's page gets nothing.
-// Proves that page, bridge and science work together and leaves pictures of every view; not that the numbers are right.
+// Drives the laboratory in a real browser: opens a set with a hidden effect, adds the effect by a click, and checks that
+// the displayed error falls to the noise; a custom effect; undo; pages of other origins are refused.
+// Proves that page, bridge and library work together, and saves screenshots of every view; numbers are not validated.
 // Usage: node laboratory.mjs NAOCAL MATE-BRIDGE NODE_MODULES PICTURES
 import {createServer} from "node:http";
 import {cpSync, mkdirSync, readFileSync, writeFileSync} from "node:fs";
@@ -22,7 +22,7 @@ const rungs = page.locator(".ladder .rung"), idle = () => page.waitForFunction((
 
 await page.getByRole("heading", {name: "Where the prediction fails"}).waitFor();
 console.log("measured: from opening to the first fit on the screen: " + (Date.now() - opened) + " ms");
-// It opens on the pair that tells most, in one sentence; the next ones are a click away.
+// Opens with the most telling pair in one sentence; further pairs can be selected.
 const telling = page.locator(".telling .sentence"), chips = page.locator(".telling .chips button"), sentence = await telling.innerText();
 check(sentence.includes(at) && sentence.includes("% of the squared error"), "the most telling pair is said in a sentence that names the joint: " + sentence);
 check(await chips.count() > 1 && await chips.first().getAttribute("aria-pressed") === "true", "the next ones are offered: " + (await chips.allInnerTexts()).join("; "));
@@ -36,9 +36,9 @@ const before = px(await rungs.first().innerText());
 check((await page.locator(".candidates tbody tr").first().innerText()).includes(flaw), "the first candidate is the hidden flaw, " + flaw);
 await portrait(page, axe, pictures, "learn");
 
-// A click adds it; the fit shows before the questions are answered.
+// Adding it shows the new fit before the candidates have been tested.
 const clicked = Date.now();
-await page.evaluate(() => { // how the view changes meanwhile
+await page.evaluate(() => { // records changes of the view
   const view = document.getElementById("view");
   window.seen = [];
   new MutationObserver(() => window.seen.push({rows: view.querySelectorAll(".candidates tbody tr").length, dimmed: view.classList.contains("earlier"), note: view.querySelector(".waiting")?.textContent}))
@@ -58,7 +58,7 @@ check(after < 0.6 * before && after < 1.3 * floor, "the shown held-out error fal
 check((await page.locator("h1").innerText()).startsWith("Nothing") || !(await page.locator("h1").innerText()).includes("is missing in the model"), "nothing is missing any more");
 await portrait(page, axe, pictures, "learn-adequate");
 
-// A point that is clicked on shows its capture.
+// Clicking a point shows its capture.
 await tab("Compare");
 const scatter = page.locator(".scatter canvas"), caption = page.locator(".split figcaption").first();
 const box = await scatter.boundingBox(), first = await caption.innerText();
@@ -73,7 +73,7 @@ for (let x = 0.15; x < 0.95 && other === first; x += 0.02) {
 check(other !== first, "a click on a point shows its capture: " + other);
 await page.locator("#overX").selectOption({label: "the angle of LKneePitch [°]"});
 await portrait(page, axe, pictures, "compare");
-// Every drawing is saved as a picture and as strokes.
+// Every drawing can be saved as PNG and SVG.
 const saved = async click => {
   const [file] = await Promise.all([page.waitForEvent("download"), click()]);
   const path = join(here, file.suggestedFilename());
@@ -91,7 +91,7 @@ await page.locator("#bent").selectOption("LKneePitch");
 const bent = page.getByRole("img", {name: /^error of LKneePitch over/}), bentBox = await bent.boundingBox();
 check(await page.getByRole("img", {name: /^shape of board/}).count() > 1, "each board's shape is drawn");
 await portrait(page, axe, pictures, "map");
-let left = false; // the view, by a click on a point
+let left = false; // whether a click on a point has left the view
 for (let x = 0.2; x < 0.95 && !left; x += 0.03) {
   for (let y = 0.2; y < 0.85 && !left; y += 0.1) {
     await bent.click({position: {x: x * bentBox.width, y: y * bentBox.height}});
@@ -106,7 +106,7 @@ check(bars.content.includes("LKneePitch") && bars.content.includes("±"), "estim
 const rows = (await saved(() => page.getByRole("button", {name: "CSV", exact: true}).click())).content.toString().split("\n");
 check(rows[0].startsWith("effect,at,unit,value") && rows.some(row => row.startsWith("joint offset,LKneePitch,°,")), "estimates are saved as a table");
 
-// What to measure next, other captures, and the files that the terminal's commands write.
+// Next poses, comparison with other captures, and the files of the command line.
 await tab("Next poses");
 await page.getByLabel("How many").selectOption("2");
 await page.getByRole("button", {name: "Suggest poses"}).click();
@@ -120,7 +120,7 @@ await tab("Files");
 await page.getByLabel("path of other captures").fill(join(here, "others"));
 await page.getByRole("button", {name: "Compare", exact: true}).last().click();
 const typing = page.getByLabel("path of what to open");
-await typing.focus(); // and types while the bridge begins and ends its work
+await typing.focus(); // types while the bridge starts and ends tasks
 for (const part of ["/captures/", "sus1u2r"]) {
   await page.keyboard.type(part, {delay: 20});
   await page.getByText("from their predictions over").waitFor();
@@ -141,14 +141,14 @@ await alone.goto("file://" + join(pictures, "session.html"));
 await alone.screenshot({path: join(pictures, "session.png"), fullPage: true});
 await alone.close();
 
-// A search is stopped, and keeps what it has.
+// A search can be stopped, and keeps its results.
 await tab("Learn");
 await page.getByRole("button", {name: "Find missing effects"}).click();
 await page.getByRole("button", {name: "Stop searching"}).click();
 await happens(page.getByText(/Stopped early/).waitFor(), "a search can be stopped");
 await idle();
 
-// A custom effect: a broken one shows where, a good one can be added.
+// A custom effect: an error shows its position; a valid effect can be added.
 await tab("Custom effect");
 await page.getByLabel("Correction [rad]").fill("a*sin(3*q) + b*abs(tua)");
 await page.locator("#ownPointer mark").waitFor();
@@ -167,7 +167,7 @@ await page.locator(".ladder li:nth-child(2) .rung[aria-current=step]").waitFor()
 await idle();
 check(await page.getByRole("button", {name: "remove kneeCable@LKneePitch"}).count() === 0, "undo takes the custom effect out of the model");
 
-// What cannot be fitted says so to whoever comes; a set with photographs.
+// A failed fit is reported to all later pages; a set with photographs.
 run(naocal, "simulate", join(here, "photographed"), "--poses", "6", "--samples", "1", "--images", "--seed", "3");
 writeFileSync(join(here, "model.json"), JSON.stringify({format: "naocal-model", version: 1, with: ["elasticity@LKneePitsch"]}));
 const second = await panelOf(bridge, join(here, "photographed"), join(here, "model.json"));
@@ -178,7 +178,7 @@ for (const time of ["first", "second"]) {
   await late.close();
 }
 
-// Captures of the same name are opened after each other: each has its own photographs.
+// Captures of the same name, opened in succession, have their own photographs.
 const viewer = await quietPage(browser, second.address), desks = new Set();
 viewer.on("request", request => { if (request.url().includes("/picture/")) desks.add(request.url().split("?")[1]); });
 mkdirSync(join(here, "again"));
@@ -192,17 +192,17 @@ for (const [count, path] of [[1, "photographed"], [2, "again/photographed"]]) {
 check(desks.size === 2, "photographs of captures that are opened later are asked for anew: " + [...desks].join());
 await viewer.close();
 
-// Another site's page, even one that knows the address, can neither speak with the bridge nor read from it.
+// A page of another site can neither connect to the bridge nor read from it, even with its address.
 const stranger = createServer((request, response) => { response.setHeader("Content-Type", "text/html"); response.end("<!doctype html><title>x</title>"); });
 await new Promise(resolve => stranger.listen(0, "127.0.0.1", resolve));
 const own = await quietPage(browser, second.address), photograph = second.address + "picture/photographed/0";
 check(await own.evaluate(async address => (await fetch(address)).status, photograph) === 200, "the panel's own page gets a photograph");
 await own.close();
-const foreign = await patientPage(browser), asked = new Map(), answered = new Map(); // by request: what the bridge answers, whatever the browser keeps from the page
+const foreign = await patientPage(browser), asked = new Map(), answered = new Map(); // by request id: URL, and status of the bridge's reply (hidden from the page by the browser)
 const inspector = await foreign.context().newCDPSession(foreign);
 inspector.on("Network.requestWillBeSent", ({requestId, request}) => asked.set(requestId, request.url));
-inspector.on("Network.responseReceivedExtraInfo", ({requestId, statusCode}) => answered.set(requestId, statusCode)); // may come first
-const statusesOf = () => Object.fromEntries([...answered].filter(([id]) => asked.get(id)?.startsWith(second.address)) // not of the stranger's own page
+inspector.on("Network.responseReceivedExtraInfo", ({requestId, statusCode}) => answered.set(requestId, statusCode)); // may precede the request's event
+const statusesOf = () => Object.fromEntries([...answered].filter(([id]) => asked.get(id)?.startsWith(second.address)) // excludes the other site's own page
   .map(([id, status]) => [asked.get(id).slice(second.address.length), status]));
 await inspector.send("Network.enable");
 await foreign.goto("http://127.0.0.1:" + stranger.address().port + "/");
@@ -236,7 +236,7 @@ const unknown = await fetch(panel.address.replace(/[0-9a-f]{32}/, "0".repeat(32)
 check(unknown.status === 404, "another token finds nothing");
 stranger.close();
 
-// Whatever is asked to be opened, the bridge lives; and it answers while it opens.
+// The bridge survives invalid paths, and replies while opening captures.
 const answers = await page.evaluate(async path => {
   const socket = new WebSocket(location.href.replace(/^http/, "ws").replace(/#.*$/, "") + "live"), kinds = [];
   await new Promise(resolve => { socket.onopen = resolve; });
@@ -247,7 +247,7 @@ const answers = await page.evaluate(async path => {
   ask({do: "open", paths: [path]});
   ask({do: "stand", number: 1, angles: {}});
   await until("opened");
-  if (!kinds.includes("stand")) await until("stand"); // few captures may be open before it is worked out
+  if (!kinds.includes("stand")) await until("stand"); // small sets may be open before the reply
   socket.close();
   return kinds.join();
 }, join(here, "flawed"));
@@ -255,7 +255,7 @@ check(["refused,stand,opened", "refused,opened,stand"].includes(answers), "a pat
 await rungs.first().waitFor();
 await idle();
 
-// The theme is remembered, keys are listed, and u does nothing where the model is not shown.
+// The theme is stored, keys are listed, and the key u does nothing while the model is hidden.
 await page.locator("#theme").click();
 const theme = () => page.evaluate(() => document.documentElement.dataset.theme), chosen = await theme();
 await page.reload();
@@ -278,7 +278,7 @@ await tab("Learn");
 await page.locator(".ladder li:nth-child(2) .rung").waitFor();
 check(await page.locator(".ladder li:nth-child(2) .rung[aria-current=step]").count() === 1, "u leaves a model alone that is not shown");
 
-// The bridge ends: the panel says so, and keeps what it shows.
+// After the bridge ends, the panel says so and keeps its content.
 await panel.stop("SIGKILL");
 await page.getByText("bridge away").waitFor();
 await tab("Compare");

@@ -1,7 +1,7 @@
-// A robot behind a slow network (100 ms there and back, 2 % of packets lost, 1 Mbit/s), reached over TCP with a secret:
-// the secret is asked for, pictures and values come as fast as there is room, a parameter is set, the network fails and
-// comes back. Proves that the panel says what happens, recovers, and needs no second secret. Not run where this
-// machine's namespaces cannot be used (root and /dev/net/tun).
+// A robot behind a slow network (100 ms round trip, 2 % packet loss, 1 Mbit/s), over TCP with a secret: the secret is
+// requested, pictures and values arrive, a parameter is set, the network fails and returns. Proves that the panel
+// reports the state, reconnects, and does not need the secret again. Skipped without network namespaces (root and
+// /dev/net/tun).
 // Usage: node network.mjs NAOCAL-ROBOT MATE-BRIDGE NODE_MODULES CONFIGURATION PICTURES SLOW_LINK
 import {cpSync, existsSync, writeFileSync} from "node:fs";
 import {execFileSync, spawn} from "node:child_process";
@@ -14,9 +14,9 @@ const ip = (...words) => execFileSync("ip", words, {stdio: "ignore"});
 
 if (process.getuid() !== 0 || !existsSync("/dev/net/tun")) skip("no namespaces can be made here");
 try { ip("netns", "add", space); } catch { skip("no namespaces can be made here"); }
-process.on("exit", () => { try { ip("netns", "del", space); } catch { /* it has gone already */ } });
+process.on("exit", () => { try { ip("netns", "del", space); } catch { /* already deleted */ } });
 
-// 50 ms each way.
+// 50 ms in each direction.
 async function connectNetwork() {
   const link = await started(slowLink, space, "50", "2", "1000");
   ip("addr", "add", "10.231.77.1/30", "dev", "slow0");
@@ -35,12 +35,12 @@ const panel = await panelOf(bridge, "--robot", "10.231.77.2"), browser = await l
 const page = await quietPage(browser, panel.address);
 const tab = name => page.getByRole("button", {name, exact: true}).click();
 
-// The secret.
+// Wrong and correct secret.
 const secret = page.getByLabel("secret of 10.231.77.2");
 await secret.waitFor();
 await portrait(page, axe, pictures, "secret");
 await secret.fill("open bar");
-await page.evaluate(async () => { // somebody else connects to another robot meanwhile
+await page.evaluate(async () => { // another client connects to another robot meanwhile
   const socket = new WebSocket(location.href.replace(/^http/, "ws").replace(/#.*$/, "") + "live");
   await new Promise(resolve => { socket.onopen = resolve; });
   socket.send(JSON.stringify({do: "connect", robot: "/nowhere"}));
@@ -65,7 +65,7 @@ await page.waitForTimeout(6000);
 console.log("measured: over the slow network: " + (await page.locator(".camera figcaption").allInnerTexts()).join("; "));
 await page.screenshot({path: join(pictures, "slow-network.png")});
 
-// A parameter is set, whatever waits in the queue.
+// A parameter can be set while data are queued.
 await tab("Configuration");
 await page.getByLabel("filter modules").fill("CalibrationRunner");
 await page.getByRole("button", {name: "Brain.CalibrationRunner", exact: true}).click();
@@ -75,7 +75,7 @@ await page.getByRole("button", {name: "set repeats"}).click();
 await happens(page.waitForFunction(() => document.getElementById("parameter-repeats")?.value === "3" && !document.querySelector(".edited")), "a parameter is set over a slow network");
 console.log("measured: over the slow network, from setting a parameter to the robot's answer: " + (Date.now() - set) + " ms");
 
-// The network fails, and comes back.
+// The network fails and returns.
 await link.stop("SIGKILL");
 await happens(page.getByText(/Nothing can be set until it is back/).waitFor(), "the panel says that the robot is gone");
 await tab("Calibrate");

@@ -1,6 +1,6 @@
-// Captures leave something open; the panel suggests poses, plays them on the connected robot after a person agreed, and
-// the robot's recording is opened in the panel.
-// Proves the way from a question to the captures that answer it, between panel, bridge, science and robot process.
+// Captures leave candidates open; the panel suggests poses, plays them on the connected robot after a confirmation, and
+// opens the robot's recording.
+// Proves the workflow from suggestion to new captures, across panel, bridge, library and robot process.
 // Usage: node next.mjs NAOCAL NAOCAL-ROBOT MATE-BRIDGE NODE_MODULES CONFIGURATION PICTURES
 import {existsSync, readdirSync, readFileSync, writeFileSync} from "node:fs";
 import {join} from "node:path";
@@ -19,7 +19,7 @@ const idle = () => page.waitForFunction(() => document.getElementById("work").te
 
 await page.getByRole("heading", {name: "Where the prediction fails"}).waitFor();
 await idle();
-await tab("Calibrate"); // looks at the robot
+await tab("Calibrate"); // watches the robot
 await livePicture(page);
 await tab("Next poses");
 await page.getByLabel("How many").selectOption("2");
@@ -34,7 +34,7 @@ await tab("Next poses");
 check(await page.getByRole("button", {name: /^Play on/}).isDisabled(), "no poses are played on a robot that calibrates");
 await tab("Calibrate");
 
-// The robot asks to be held between one foot and both, and to be put down before its poses.
+// The robot asks to be held while changing its support feet, and to be released before its poses.
 for (const words of [/going to stand on its .* foot/, /lies flat, let go/, /back onto both feet/]) {
   await page.getByText(words).first().waitFor();
   if (words.test("lies flat, let go")) check(await page.getByText("Hold the robot by its trunk").count() === 0, "who is to let go is not told to hold on");
@@ -47,7 +47,7 @@ const sessions = readdirSync(join(here, "recordings")).map(name => join(here, "r
 const taken = sessions.length ? JSON.parse(readFileSync(join(sessions.at(-1), "captures.json"))).captures : [];
 check(new Set(taken.map(({pose}) => pose)).size === 2 && taken.length >= 8, "both poses are recorded: " + taken.length + " captures");
 
-// What it saw is opened beside what was there.
+// Opens the recording.
 await tab("Files");
 await page.getByLabel("path of what to open").fill(sessions.at(-1) ?? "");
 await page.getByRole("button", {name: "Open", exact: true}).click();
@@ -55,7 +55,7 @@ await page.getByRole("heading", {name: "Where the prediction fails"}).waitFor();
 await tab("Files");
 await happens(page.getByText("Open now: " + sessions.at(-1)).waitFor(), "and the recording is opened");
 
-// Opens captures, and asks to put their result on the robot.
+// Opens captures and requests applying their result to the robot.
 async function toApply(name) {
   await tab("Files");
   await page.getByLabel("path of what to open").fill(join(here, name));
@@ -65,7 +65,7 @@ async function toApply(name) {
   await page.getByRole("button", {name: /^Apply to .* …/}).click();
 }
 
-// A result is put on the robot: what its own calibration would set, beside what is on it now.
+// Applies a result to the robot: new values are listed beside the present ones.
 await toApply("few");
 const changes = page.locator(".confirm tbody tr");
 await page.waitForFunction(() => !/–/.test(document.querySelector(".confirm table")?.innerText ?? "–"));
@@ -91,7 +91,7 @@ await page.getByRole("button", {name: /^Put back on/}).click();
 await tab("Configuration");
 await happens(page.waitForFunction(wanted => Math.abs(Number(document.getElementById("parameter-lKneePitch")?.value) - wanted) < 0.006, Number(had.replace("−", "-").replace("°", ""))), "and is on the robot again");
 
-// Another robot's captures are not put on it without a warning.
+// Captures of another robot cause a warning.
 run(naocal, "simulate", join(here, "strangers"), "--poses", "6", "--samples", "2", "--seed", "2");
 await toApply("strangers");
 const warning = page.locator(".confirm .bad");

@@ -1,5 +1,5 @@
-// How fluid Compare stays with 100 000 points: from choosing another axis to the drawing, and how long the pointer waits
-// while it moves over them. Not among the tests that run each time: it measures.
+// Responsiveness of Compare with 100 000 points: time from selecting an axis to the drawing, and frame times while the
+// pointer moves. A measurement, run by hand.
 // Usage: node points.mjs NAOCAL MATE-BRIDGE NODE_MODULES
 import {join} from "node:path";
 import {tools, check, panelOf, run, folder, quietPage, end} from "./browser.mjs";
@@ -17,7 +17,7 @@ for (const axis of ["v", "radius", "capture", "u"]) {
   await page.evaluate(() => new Promise(resolve => requestAnimationFrame(() => requestAnimationFrame(resolve))));
   console.log("measured: another axis (" + axis + ") is drawn after " + (Date.now() - begun) + " ms");
 }
-const longest = await page.evaluate(async () => { // between frames, while the pointer moves
+const longest = await page.evaluate(async () => { // 95th percentile of frame times while the pointer moves
   const canvas = document.querySelector(".scatter canvas"), box = canvas.getBoundingClientRect(), gaps = [];
   let last = performance.now();
   for (let i = 0; i < 120; ++i) {

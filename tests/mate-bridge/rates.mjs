@@ -1,7 +1,6 @@
-// How many pictures a second bridge and page show of two cameras that each send 30, with overlays, and with plots beside
-// them: those of a simulated robot, recorded first, since it cannot draw as many. Not among the tests that run each
-// time: it measures.
-// The limits are those that the panel is built for: 2 s to the first picture, 15 pictures a second of each camera.
+// Frame rate of bridge and page for two cameras at 30 Hz, with overlays and plots. Images of a simulated robot are
+// recorded first, as it cannot render that fast. A measurement, run by hand.
+// Design limits of the panel: 2 s to the first picture, 15 Hz per camera.
 // Usage: node rates.mjs NAOCAL-ROBOT MATE-BRIDGE NODE_MODULES CONFIGURATION
 import {connect, createServer} from "node:net";
 import {mkdirSync, readFileSync} from "node:fs";
@@ -24,7 +23,7 @@ function frame(magic, version, header, type, body) {
 }
 const debugFrame = (type, body) => frame("DMSG", 1, 16, type, Buffer.from(body));
 
-// Cuts what comes into frames.
+// Splits received data into frames.
 function reading(socket, header, told) {
   let bytes = Buffer.alloc(0);
   socket.on("data", data => {
@@ -39,7 +38,7 @@ function reading(socket, header, told) {
 }
 const keyOf = body => body.subarray(14, 14 + body.readUInt16LE(12)).toString();
 
-// Twenty pictures of each camera, and the values that go with them.
+// Records 20 images per camera, and the values.
 const address = await robot.start(), pictures = new Map(images.map(key => [key, []])), latest = new Map();
 await new Promise(resolve => {
   const socket = connect(join(address, "debug"));
@@ -52,7 +51,7 @@ await new Promise(resolve => {
 });
 robot.kill();
 
-// A robot that sends them over and over, 30 a second, and its angles 83 times.
+// Fake robot that repeats the images at 30 Hz and the values at 83 Hz.
 mkdirSync(join(kept, "robot"));
 const begin = Date.now(), clients = new Set();
 createServer(socket => {

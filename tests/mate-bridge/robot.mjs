@@ -1,6 +1,6 @@
 // Drives naocal-robot with a simulated robot from the panel in a real browser: live pictures, a calibration of neck and
-// cameras and taking it back, values over time, a parameter set and saved, a robot that dies and comes back.
-// Proves that panel, bridge and robot process work together and leaves pictures of every view.
+// cameras and its undo, values over time, setting and saving a parameter, restart of the robot's process.
+// Proves that panel, bridge and robot process work together, and saves screenshots of every view.
 // Usage: node robot.mjs NAOCAL-ROBOT MATE-BRIDGE NODE_MODULES CONFIGURATION PICTURES
 import {existsSync, readdirSync, readFileSync} from "node:fs";
 import {join} from "node:path";
@@ -24,7 +24,7 @@ await page.getByRole("button", {name: "Calibrate …"}).click();
 check((await page.locator(".confirm").innerText()).includes("synthetic-1 (" + address + ")"), "the question names the robot: " + (await page.locator(".confirm").innerText()).replaceAll("\n", " "));
 check(await page.locator(".robots").getByRole("button", {name: "synthetic-1 (" + address + ")"}).count() === 1, "so does the row of robots");
 await portrait(page, axe, pictures, "calibrate-confirm");
-await page.evaluate(() => { // what the page asks the bridge for from here on
+await page.evaluate(() => { // records the page's requests
   const {send} = WebSocket.prototype;
   window.sent = [];
   WebSocket.prototype.send = function (text) { window.sent.push(JSON.parse(text)); send.call(this, text); };
@@ -34,10 +34,10 @@ await page.getByRole("button", {name: "Start", exact: true}).click();
 await page.getByText(/pose [1-9] of/).waitFor();
 await happens(page.getByText(/, \d+ of \d+ of this round/).waitFor(), "each pose is shown before it is played");
 await page.locator(".thumbnails img").first().waitFor();
-const found = page.locator(".camera figcaption").filter({hasText: "corners, predicted"}).first(); // not in every pose
+const found = page.locator(".camera figcaption").filter({hasText: "corners, predicted"}).first(); // not visible in every pose
 await happens(found.waitFor(), "corners are found in the live pictures");
 await page.screenshot({path: join(pictures, "calibrate-running.png")});
-await tab("Configuration"); // its captures are followed all the same
+await tab("Configuration"); // captures are followed in other views too
 await page.waitForTimeout(6000);
 await tab("Calibrate");
 await page.getByRole("heading", {name: /^(Finished|Failed)$/}).waitFor();
@@ -53,7 +53,7 @@ check(/%.*°C/s.test(await page.locator(".vitals").innerText()), "battery and te
 await portrait(page, axe, pictures, "calibrate-finished");
 check(/never calibrated: errors up to \d+ px are plausible/.test((await page.locator(".rests").allInnerTexts()).join()), "a live comparison says what it rests on: " + (await page.locator(".rests").allInnerTexts()).join(" | "));
 
-// Whoever comes later sees each capture's own picture and what was set before; a bridge that was not there shows none.
+// Later pages show each capture's own picture and the previous values; a bridge started later has no pictures.
 const bytesOf = one => one.evaluate(async () => {
   const list = [...document.querySelectorAll(".thumbnails img")];
   return Promise.all(list.map(async ({src}) => Array.from(new Uint8Array(await crypto.subtle.digest("SHA-256", await (await fetch(src)).arrayBuffer()))).join("")));
@@ -76,7 +76,7 @@ await page.getByRole("button", {name: /^Undo on/}).click();
 await happens(page.getByText("No offsets: joint readings are used as they are.").waitFor(), "undo takes the offsets back");
 await happens(page.waitForFunction(() => [...document.querySelectorAll("button")].find(one => one.textContent === "Undo …")?.disabled), "what was taken back cannot be taken back again");
 
-// Stop ends a calibration at once, from any view, when it is pressed; so does s, but not the browser's own Ctrl+S.
+// Stop ends a calibration on press, from any view; so does the key s, but not Ctrl+S.
 const begun = async () => {
   await tab("Calibrate");
   await page.getByRole("button", {name: "Calibrate …"}).click();
@@ -101,11 +101,11 @@ await page.waitForTimeout(500);
 check(await page.locator("#stop.moving").count() === 1, "Ctrl+S does not stop the robot");
 await page.keyboard.press("S"); // as with Caps Lock
 await happens(wasEnded(), "s stops it, whatever the state of Caps Lock");
-await page.getByRole("button", {name: "Undo …"}).click(); // an older one may have been saved: the robot knows
+await page.getByRole("button", {name: "Undo …"}).click(); // Undo stays enabled: an older calibration may be saved
 await page.getByRole("button", {name: /^Undo on/}).click();
 await happens(page.getByText(/^Nothing was taken back: /).waitFor(), "after a calibration that was ended the robot says whether there is something to take back");
 
-// The panel is closed while the robot moves: there is no Stop any more, so the robot ends it.
+// Closing the panel while the robot moves ends the calibration, as there is no Stop button any more.
 const onlooker = await panelOf(bridge, "--robot", address), looked = await quietPage(browser, onlooker.address);
 await looked.getByRole("button", {name: "Calibrate", exact: true}).click();
 await begun();
@@ -117,7 +117,7 @@ await onlooker.stop("SIGTERM");
 page = await quietPage(browser, panel.address);
 await happens(wasEnded(), "a calibration ends when its panel is closed");
 
-// A robot that is told off while it calibrates is asked about; an address that is none stays to be mended.
+// Disconnecting a calibrating robot needs a confirmation; an invalid address stays editable.
 await begun();
 await page.getByLabel("disconnect from " + address).click();
 await page.getByText("Without its panel it stops").waitFor();
@@ -146,10 +146,10 @@ check(await page.getByRole("button", {name: "LKneePitch", exact: true}).getAttri
 check((await downloaded("save as SVG: Motion.angles")).toString().includes("LKneePitch"), "a plot over time is saved as strokes");
 check((await downloaded("save as PNG: Motion.angles")).subarray(1, 4).toString() === "PNG", "a plot over time is saved as a picture");
 let rows = [];
-await until(async () => (rows = (await downloaded("save as CSV: Motion.angles")).toString().trim().split("\n")).length > 50); // as they come
+await until(async () => (rows = (await downloaded("save as CSV: Motion.angles")).toString().trim().split("\n")).length > 50); // rows accumulate over time
 check(rows[0].startsWith("time [s],HeadYaw,") && rows.length > 50 && rows.every(row => row.split(",").length === rows[0].split(",").length), "and as a table");
 
-// Parameters: nothing is written before the person says so.
+// Parameters are written only after a confirmation.
 await tab("Configuration");
 await page.getByLabel("filter modules").fill("CalibrationRunner");
 await page.getByRole("button", {name: "Brain.CalibrationRunner", exact: true}).click();
@@ -171,7 +171,7 @@ await page.getByRole("button", {name: /^Save on/}).click();
 check(await until(saved), "saving writes it, once it is confirmed");
 check(!savedIn("configuration"), "and leaves what was shipped as it is");
 
-// The robot's process dies and is started anew.
+// The robot's process is killed and restarted.
 await tab("Live");
 await page.getByLabel("filter values").click();
 await page.keyboard.press("End");
@@ -193,7 +193,7 @@ await happens(livePicture(page), "a robot that comes back is seen again");
 await page.keyboard.type("21");
 check(await page.getByLabel("robot to connect to").inputValue() === "nao21", "an address that is typed stays while the robot comes: " + await page.getByLabel("robot to connect to").inputValue());
 
-// The bridge ends: nothing looks as if it could still be reached.
+// After the bridge ends, no robot is shown as connected.
 await panel.stop("SIGKILL");
 await page.getByText("is unreachable: the bridge is away").first().waitFor();
 check(await page.locator(".robot.connected").count() === 0 && !await page.locator("#stop").isVisible(), "with the bridge away no robot seems connected, and no Stop seems to work");

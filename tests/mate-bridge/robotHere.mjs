@@ -1,4 +1,4 @@
-// A simulated robot of this computer for tests: naocal-robot on UNIX sockets, with a configuration of its own.
+// A simulated robot for tests: naocal-robot on UNIX sockets, with its own copy of the configuration.
 import {cpSync, existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync} from "node:fs";
 import {spawn} from "node:child_process";
 import {join} from "node:path";
@@ -12,7 +12,7 @@ export function robotIn(here, program, configuration, options = []) {
   mkdirSync(join(here, "sockets"));
   let process_;
   return {
-    // Its address, once it listens.
+    // Returns the address after the robot has started listening.
     async start() {
       process_ = spawn(program, ["--configuration", join(here, "configuration"), "--state", join(here, "state"), "--recordings", join(here, "recordings"), ...options], {stdio: "ignore"});
       process.on("exit", () => process_.kill("SIGKILL"));

@@ -1,5 +1,5 @@
-// Drives the panel's tools in a real browser: a simulated robot's captures are made and opened, poses planned, a slip
-// is told in the program's own words, a long command is ended; and nothing but naocal's commands can be run.
+// Drives the panel's tools in a real browser: simulates captures and opens them, plans poses, shows the program's message
+// for a wrong option, and ends a long command. Proves that the page can run naocal's commands only.
 // Usage: node tools.mjs MATE-BRIDGE NODE_MODULES PICTURES
 import {chmodSync, existsSync, readFileSync, readdirSync, readlinkSync, writeFileSync} from "node:fs";
 import {spawn} from "node:child_process";
@@ -28,7 +28,7 @@ await ended();
 check((await status.innerText()).endsWith("has finished."), "captures are simulated: " + await status.innerText());
 check(existsSync(join(here, "a robot", "captures.json")), "they are there");
 const setFile = join(here, "a robot", "captures.json"), set = JSON.parse(readFileSync(setFile));
-await page.screenshot({path: join(here, "a robot", "kept.png")}); // a picture that was kept
+await page.screenshot({path: join(here, "a robot", "kept.png")}); // a kept image
 set.captures[0].image = "kept.png";
 writeFileSync(setFile, JSON.stringify(set));
 await page.getByRole("button", {name: /^Open /}).click();
@@ -69,7 +69,7 @@ await click("Run");
 await page.locator("#toolEnd").waitFor();
 check(await page.locator("#toolRun").isDisabled(), "one command at a time");
 const programOf = pid => { try { return readlinkSync("/proc/" + pid + "/exe"); } catch { return ""; } };
-let child; // once it is the command
+let child; // after exec of the command
 await until(() => child = readdirSync("/proc").find(pid => /^\d+$/.test(pid) && statOf(pid)?.startsWith(panel.pid + " ") && programOf(pid).endsWith("/naocal")));
 const open = readdirSync("/proc/" + child + "/fd").map(one => { try { return readlinkSync("/proc/" + child + "/fd/" + one); } catch { return ""; } });
 check(child && !open.some(one => one.startsWith("socket:")), "a command holds none of the bridge's sockets: " + open.join(" "));
@@ -85,7 +85,7 @@ const refused = await page.evaluate(words => new Promise(resolve => {
 }), ["explore; touch x", "/etc"]);
 check(refused.includes("expected one of naocal's commands"), "nothing else is run: " + refused);
 
-// What the bridge starts a browser with can be read by everybody here: no secret is in it, and it leads to the panel.
+// The browser's command line is visible to all users of this computer: it contains no secret, and leads to the panel.
 const fake = join(here, "chromium");
 writeFileSync(fake, "#!/bin/sh\necho \"$@\" > '" + join(here, "arguments") + "'\n");
 chmodSync(fake, 0o755);

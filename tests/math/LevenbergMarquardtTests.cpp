@@ -5,7 +5,7 @@
 namespace naocal {
 namespace {
 
-/// Rosenbrock's valley as a sum of squares: r = (10 (y - x^2), 1 - x), with a forbidden half plane x < -1.5.
+/// Rosenbrock's function as a sum of squares: r = (10 (y - x^2), 1 - x); infeasible for x < -1.5.
 struct Valley {
   struct Linear {
     double cost = 0;
@@ -26,7 +26,7 @@ struct Valley {
   Eigen::VectorXd scale = Eigen::Vector2d{1, 1};
 };
 
-/// r = (sqrt |y - x^2| + 1, (x - 1) / 1000): a fold along the valley's floor, where no slope tells the way.
+/// r = (sqrt |y - x^2| + 1, (x - 1) / 1000): a kink along y = x^2, where the gradient does not indicate the direction.
 struct Fold : Valley {
   bool linearise(const Eigen::VectorXd& p, Linear& linear) const {
     const double side = p[1] < p[0] * p[0] ? -1 : 1;
@@ -41,7 +41,7 @@ struct Fold : Valley {
 } // namespace
 
 TEST_CASE("the search finds the bottom of a curved valley") {
-  // Proves convergence on Rosenbrock's function from its usual start.
+  // Proves convergence on Rosenbrock's function from its standard start.
   const auto minimum = levenbergMarquardt(Valley{}, Eigen::VectorXd{Eigen::Vector2d{-1.2, 1}});
   REQUIRE(minimum);
   CHECK(minimum->converged);
@@ -49,7 +49,7 @@ TEST_CASE("the search finds the bottom of a curved valley") {
 }
 
 TEST_CASE("a search that is stuck at a kink has arrived") {
-  // Proves that a cost without a slope at its minimum is not called unsolved, and that the minimum is there.
+  // Proves that a minimum at a kink, without zero gradient, is reported as converged, and that it is on the kink.
   const auto minimum = levenbergMarquardt(Fold{}, Eigen::VectorXd{Eigen::Vector2d{0.5, 1}});
   REQUIRE(minimum);
   CHECK(minimum->converged);
@@ -57,7 +57,7 @@ TEST_CASE("a search that is stuck at a kink has arrived") {
 }
 
 TEST_CASE("an impossible start is absent and an impossible step is refused") {
-  // Proves that what cannot be is neither a result nor a way to one.
+  // Proves that an infeasible start gives no result, and that infeasible steps are rejected.
   CHECK_FALSE(levenbergMarquardt(Valley{}, Eigen::VectorXd{Eigen::Vector2d{-2, 1}}));
   const auto minimum = levenbergMarquardt(Valley{}, Eigen::VectorXd{Eigen::Vector2d{-1.4999, 30}});
   REQUIRE(minimum);
@@ -66,7 +66,7 @@ TEST_CASE("an impossible start is absent and an impossible step is refused") {
 }
 
 TEST_CASE("too few iterations are not called converged") {
-  // Proves the flag that a result's usability rests on.
+  // Proves the flag that a result's usability depends on.
   const auto minimum = levenbergMarquardt(Valley{}, Eigen::VectorXd{Eigen::Vector2d{-1.2, 1}}, {.maxIterations = 3});
   REQUIRE(minimum);
   CHECK_FALSE(minimum->converged);

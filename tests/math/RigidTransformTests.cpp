@@ -12,7 +12,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// Rotation vectors of many lengths, also where the series takes over (0.01) and around half a turn.
+/// Rotation vectors of various lengths, including the switch to the series (0.01) and angles around pi.
 std::vector<Vector3d> rotationVectors() {
   std::mt19937 random{1};
   std::normal_distribution<double> normal;
@@ -32,7 +32,7 @@ double largestDifference(const Matrix3d& a, const Matrix3d& b) {
 } // namespace
 
 TEST_CASE("a rotation vector turns about its direction by its length") {
-  // Proves rotationAbout against Eigen's angle and axis.
+  // Compares rotationAbout with Eigen's AngleAxis.
   for (const Vector3d& v : rotationVectors()) {
     const Matrix3d expected = Eigen::AngleAxisd{v.norm(), v.stableNormalized()}.toRotationMatrix();
     INFO(v.transpose());
@@ -41,7 +41,7 @@ TEST_CASE("a rotation vector turns about its direction by its length") {
 }
 
 TEST_CASE("rotations about the axes turn the next axis towards the one after it") {
-  // Proves the sign: right-handed. The size is proved by the test above and by agreement with rotationAbout.
+  // Proves the sign: right-handed. The angle is proved by agreement with rotationAbout, tested above.
   CHECK((rotationX(radians(90)) * Vector3d::UnitY() - Vector3d::UnitZ()).norm() < 1e-15);
   CHECK((rotationY(radians(90)) * Vector3d::UnitZ() - Vector3d::UnitX()).norm() < 1e-15);
   CHECK((rotationZ(radians(90)) * Vector3d::UnitX() - Vector3d::UnitY()).norm() < 1e-15);
@@ -51,7 +51,7 @@ TEST_CASE("rotations about the axes turn the next axis towards the one after it"
 }
 
 TEST_CASE("the left Jacobian says how a rotation turns when its vector changes") {
-  // Proves it against central differences; their own error allows 1e-9.
+  // Compares with central differences, whose own error allows 1e-9.
   const double step = 1e-5;
   for (const Vector3d& v : rotationVectors()) {
     const Matrix3d jacobian = leftJacobian(v);
@@ -65,7 +65,7 @@ TEST_CASE("the left Jacobian says how a rotation turns when its vector changes")
 }
 
 TEST_CASE("series and closed form of a rotation meet") {
-  // Proves it on both sides of the border: what changes there is what the length changes, nothing more.
+  // Proves continuity at the switch: both sides differ only by the change in length.
   const Vector3d direction = Vector3d{1, -2, 0.5}.normalized();
   const double border = 0.01, step = 1e-12;
   const Vector3d below = (border - step) * direction, above = (border + step) * direction;
@@ -74,7 +74,7 @@ TEST_CASE("series and closed form of a rotation meet") {
 }
 
 TEST_CASE("the inverse of a change of frame leads back, and changes follow each other from right to left") {
-  // Proves it for points: no other meaning of `*` and `inverse` would give them back.
+  // Proves composition and inverse by their action on points.
   const RigidTransform headFromCamera{rotationAbout({0.4, -0.7, 1.1}), {0.1, -0.2, 0.3}};
   const RigidTransform cameraFromBoard{rotationAbout({-1.2, 0.3, 0.2}), {1.5, 0.2, -0.4}};
   const Vector3d pointInBoard{0.3, -0.1, 0.7};
@@ -85,7 +85,7 @@ TEST_CASE("the inverse of a change of frame leads back, and changes follow each 
 }
 
 TEST_CASE("an angle is the same direction a turn further") {
-  // Proves it for several turns either way, and that the result lies within half a turn.
+  // Proves it for several turns in both directions, and for results within (-pi, pi).
   for (const double angle : {-3.0, -0.5, 0.0, 1.0, 3.1}) {
     for (const int turns : {-3, -1, 0, 2}) {
       CHECK(wrapAngle(angle + turns * radians(360)) == Approx(angle).margin(1e-14));

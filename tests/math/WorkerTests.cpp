@@ -13,7 +13,7 @@ namespace {
 
 constexpr int taskCount = 100;
 
-/// Tasks that were done when a worker has ended that was destroyed during its first one.
+/// Number of completed tasks after a worker was destroyed during its first one.
 int countDone(Worker::AtEnd atEnd) {
   int done = 0;
   std::promise<void> begun;
@@ -34,7 +34,7 @@ int countDone(Worker::AtEnd atEnd) {
 } // namespace
 
 TEST_CASE("a worker ends after all of its tasks or after the present one") {
-  // Proves both, with tasks that take half a second together; and that tasks are done in their order.
+  // Proves both, with tasks that take half a second in total, and that tasks run in order.
   CHECK(countDone(Worker::AtEnd::allTasks) == taskCount);
   CHECK(countDone(Worker::AtEnd::presentTask) < taskCount);
   std::vector<int> order;
@@ -48,7 +48,7 @@ TEST_CASE("a worker ends after all of its tasks or after the present one") {
 }
 
 TEST_CASE("further tasks are taken while a worker destroys what a task held") {
-  // Proves it with a destructor that waits until another task was enqueued.
+  // Proves it with a destructor that waits for another task to be enqueued.
   std::promise<void> destroying, enqueued;
   std::future<void> wasEnqueued = enqueued.get_future();
   std::future_status status = std::future_status::deferred;

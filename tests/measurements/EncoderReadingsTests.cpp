@@ -18,7 +18,7 @@
 namespace naocal {
 namespace {
 
-/// A joint that rests at `place` [steps], read `count` times by an encoder that jitters by `jitter` [steps].
+/// A joint resting at `place` [steps], read `count` times with a jitter of `jitter` [steps, 1 sigma].
 RestReadings read(double place, double jitter, int count, std::mt19937_64& random) {
   std::normal_distribution<double> noise{0, jitter};
   std::vector<double> angles;
@@ -31,9 +31,9 @@ RestReadings read(double place, double jitter, int count, std::mt19937_64& rando
 } // namespace
 
 TEST_CASE("readings at rest tell how much an encoder jitters, and where its joint stood") {
-  // Proves the likelihood of rounded readings by Monte Carlo: over eight joints with 60 rests of six readings each,
-  // levels of 0.03 to 0.1 degrees are found within 20 percent, and the posterior variance of a place is the mean square
-  // of its error. It does not prove that encoders jitter like that.
+  // Proves the likelihood of rounded readings by Monte Carlo: for eight joints with 60 rests of six readings, levels of
+  // 0.03 to 0.1 degrees are estimated within 20 %, and the posterior variance of a position equals its mean squared
+  // error. Whether real encoders jitter like that is not tested.
   for (const double degreesOfJitter : {0.03, 0.05, 0.1}) {
     CAPTURE(degreesOfJitter);
     const double jitter = radians(degreesOfJitter) / encoderStep;
@@ -57,13 +57,14 @@ TEST_CASE("readings at rest tell how much an encoder jitters, and where its join
         variances += place.variance;
       }
     }
-    CHECK(errors == Approx(variances).epsilon(0.25)); // of 480 places: 6 percent, 1 sigma
+    CHECK(errors == Approx(variances).epsilon(0.25)); // over 480 positions: 6 %, 1 sigma
   }
 }
 
 TEST_CASE("joints that were not recorded say nothing of encoders' jitter", "[slow]") {
-  // Proves the level of a set that has only the joints of one leg and the head, as most have: every pose is read three
-  // times at rest, jittering by 0.015 degrees, in whole steps. Arms would read zero always, like encoders of no jitter.
+  // Proves the level of a set that records only one leg's joints and the head, as most sets do: every pose is read
+  // three times at rest, with a jitter of 0.015 degrees, in whole steps. Unrecorded arms must not count as encoders
+  // without jitter.
   const Robot robot = loadRobot(configurationDirectory(), "V6");
   SimulationPlan plan;
   plan.poses = planStandingPoses(robot, plan, SupportFoot::left, 24, 1);
@@ -79,7 +80,7 @@ TEST_CASE("joints that were not recorded say nothing of encoders' jitter", "[slo
       double& angle = capture.joints.measured[joint];
       const double place =
           places.try_emplace({capture.pose, joint}, angle / encoderStep + within(random)).first->second;
-      const double step = std::round(place + jitter(random)); // both cameras' pictures share it
+      const double step = std::round(place + jitter(random)); // shared by both cameras' images
       const bool used =
           set.jointNames[joint].starts_with("L") && set.jointNames[joint].find("Shoulder") == std::string::npos;
       angle = encoderStep * readings.try_emplace({capture.pose, capture.repeat, joint}, step).first->second;
@@ -95,18 +96,18 @@ TEST_CASE("joints that were not recorded say nothing of encoders' jitter", "[slo
 }
 
 TEST_CASE("readings that never differ leave the whole step open") {
-  // Proves the limit: one step's rounding, LSB^2 / 12, and no jitter.
+  // Proves the limit without jitter: variance LSB^2 / 12.
   const RestReadings rest{{0.3, 0.3, 0.3}};
   CHECK_FALSE(rest.differ());
   CHECK(estimateEncoderJitter({{rest, rest}}) == std::vector<double>{0.0});
   const RestReadings::Place place = rest.place(0);
   CHECK(place.angle == Approx(0.3));
-  CHECK(std::sqrt(place.variance) == Approx(encoderStep / std::sqrt(12.0)).epsilon(0.05)); // integrated on a grid
+  CHECK(std::sqrt(place.variance) == Approx(encoderStep / std::sqrt(12.0)).epsilon(0.05)); // numerical integration
 }
 
 TEST_CASE("readings between two of an encoder's steps give a rest one place") {
-  // Proves it of what a robot records whose pictures lie in time between readings that toggle: parts of a step apart is
-  // no jitter, and no picture of the rest is believed to have seen its joint elsewhere than the others.
+  // Proves it for recordings whose images lie between alternating readings: fractions of a step are not jitter, and all
+  // images of the rest have the same angle.
   const RestReadings rest{{265.58 * encoderStep, 266 * encoderStep}};
   CHECK_FALSE(rest.differ());
   CHECK(rest.place(0).angle == Approx(265.79 * encoderStep));
@@ -135,8 +136,9 @@ TEST_CASE("readings between two of an encoder's steps give a rest one place") {
 }
 
 TEST_CASE("readings that lie too far apart for their joint's jitter still have a place") {
-  // Proves that the place and its variance are numbers, between the readings, where rounding and jitter cannot explain
-  // how far they lie apart: at a hundredth of a step of jitter, two steps are impossible to the last bit.
+  // Proves that position and variance are finite, and that the position is between the readings, for readings that
+  // rounding and jitter cannot explain: with a jitter of 0.01 steps, two steps apart have a likelihood of zero in
+  // double precision.
   const RestReadings rest{{0, 2 * encoderStep}};
   const RestReadings::Place place = rest.place(0.01 * encoderStep);
   CHECK(place.angle == Approx(encoderStep).epsilon(0.05));

@@ -16,8 +16,8 @@ static_assert(!converts<RawAngles, CompensatedAngles> && !converts<CompensatedAn
 } // namespace
 
 TEST_CASE("what is sent to the motors is read back as what was desired") {
-  // Proves raw - offset and desired + offset against each other and by sign, for random offsets and poses within the
-  // limits, hip yaw-pitches that were not equal included.
+  // Proves raw = desired + offset and compensated = raw - offset, for random offsets and poses within the limits,
+  // including unequal hip yaw-pitches.
   const Robot& robot = v6();
   const JointLimits limits{robot};
   std::mt19937 random{1};
@@ -48,7 +48,7 @@ TEST_CASE("what is sent to the motors is read back as what was desired") {
 }
 
 TEST_CASE("no joint is sent beyond its limits, whatever is desired and whatever its offset") {
-  // Proves it for desired angles anywhere, those limits included that depend on another joint (ankle roll by pitch).
+  // Proves it for arbitrary desired angles, including limits that depend on another joint (ankle roll on ankle pitch).
   const Robot& robot = v6();
   const JointLimits limits{robot};
   std::mt19937 random{1};

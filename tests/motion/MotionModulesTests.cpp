@@ -4,8 +4,8 @@
 
 namespace naocal {
 TEST_CASE("an offset changes what perception sees in the next cycle, and what motors are sent without a jump") {
-  // Proves the shipped thread's way from parameter to angles and command, by sign, without a restart; 4 degrees take
-  // 0.4 s at the shipped 10 degrees per second.
+  // Proves the path from parameter to angles and command in the shipped thread, by sign, without a restart: 4 degrees
+  // take 0.4 s at the shipped 10 degrees per second.
   MotionRig rig;
   rig.stand();
   const double desired = rig.see.desired->angles[knee];
@@ -18,12 +18,13 @@ TEST_CASE("an offset changes what perception sees in the next cycle, and what mo
   CHECK(rig.robot.sent.back().angles[knee] < desired + radians(4));
   rig.cycles(2);
   CHECK(rig.robot.sent.back().angles[knee] == Approx(desired + radians(4)));
-  rig.cycles(1); // the scripted robot follows at once
+  rig.cycles(1); // the scripted robot follows immediately
   CHECK((*rig.see.angles)[knee] == Approx(desired));
 }
 
 TEST_CASE("an offset that changes while the robot is on one foot moves it only once it is back") {
-  // Proves it for a robot that was held on its way out and is not any more: no command changes before it is home.
+  // Proves it for a robot that was held on its way onto one foot and then released: no command changes before it is at
+  // its stand.
   MotionRig rig;
   rig.stand();
   rig.ask(PoseRequest::Kind::go, {MotionRig::looking(40, 0)}, true);
@@ -41,7 +42,7 @@ TEST_CASE("an offset that changes while the robot is on one foot moves it only o
 }
 
 TEST_CASE("both hip yaw-pitches have the left one's offset") {
-  // Proves that two different offsets of one motor are not used, and that it is told.
+  // Proves that different offsets for the one motor are reported, and that the left one is used.
   MotionRig rig;
   rig.stand();
   rig.configuration.set("Motion.JointCalibrationProvider", "lHipYawPitch", -2.0);
@@ -58,14 +59,14 @@ TEST_CASE("both hip yaw-pitches have the left one's offset") {
 }
 
 TEST_CASE("an offset that no robot has is refused") {
-  // Pins the sentence: radians typed as degrees pass, but not a wild number.
+  // Pins the message. Values up to 30 pass, so radians typed as degrees are not noticed.
   MotionRig rig;
   CHECK_THROWS_WITH(rig.configuration.set("Motion.JointCalibrationProvider", "headYaw", 57.0),
                     "Motion.JointCalibrationProvider: headYaw: expected an offset from -30 to 30 degrees, found 57.0");
 }
 
 TEST_CASE("the history keeps raw and compensated angles of every cycle and interpolates them") {
-  // Proves both against the motion that was made, at a time between two cycles.
+  // Proves both at a time between two cycles of a motion.
   MotionRig rig;
   rig.configuration.set("Motion.JointCalibrationProvider", "headYaw", 3.0);
   rig.stand();
@@ -85,7 +86,7 @@ TEST_CASE("the history keeps raw and compensated angles of every cycle and inter
 }
 
 TEST_CASE("a robot is still once neither joints nor torso move, and as soon as one does it is not") {
-  // Proves it for the end of a motion, a turning torso, and the pictures' view through the history.
+  // Proves it at the end of a motion and for a rotating torso, in the module's production and in the history.
   MotionRig rig;
   rig.stand();
   rig.cycles(60);
@@ -103,7 +104,7 @@ TEST_CASE("a robot is still once neither joints nor torso move, and as soon as o
 }
 
 TEST_CASE("without states the motion thread goes on, sends nothing and says nothing new") {
-  // Proves that a silent robot neither ends the thread nor gets commands for an old state.
+  // Proves that a silent robot neither ends the thread nor gets commands computed from an old state.
   MotionRig rig;
   rig.stand();
   rig.robot.silent = true;

@@ -20,7 +20,7 @@ namespace naocal {
 inline constexpr std::size_t knee = *jointIndex("LKneePitch"), leftHip = *jointIndex("LHipYawPitch"),
                              rightHip = *jointIndex("RHipYawPitch"), yaw = *jointIndex("HeadYaw");
 
-/// The motion thread as it is shipped, on a scripted robot, with a brain that only passes on the test's requests.
+/// The shipped motion thread on a scripted robot; the brain only forwards the test's requests.
 struct MotionRig {
   class Asking : public Module {
   public:
@@ -55,14 +55,14 @@ struct MotionRig {
       motion.cycle();
     }
   }
-  /// Cycles until the present request is done, at most a minute.
+  /// Cycles until the present request is done, at most 5000 times (60 s).
   bool untilDone() {
     for (int i = 0; i < 5000 && !see.player->done; ++i) {
       motion.cycle();
     }
     return see.player->done;
   }
-  /// Cycles until the robot is at its stand, at most a minute.
+  /// Cycles until the robot is at its stand, at most 5000 times (60 s).
   bool untilHome() {
     for (int i = 0; i < 5000 && !see.player->atHome; ++i) {
       motion.cycle();
@@ -79,7 +79,7 @@ struct MotionRig {
     robot.state.touch.chestButton = false;
     cycles(1);
   }
-  /// Puts the robot at its stand and has the player hold it.
+  /// Places the robot at its stand and lets the player hold it.
   void stand() {
     robot.state.angles.values = home().values;
     ask(PoseRequest::Kind::home);
@@ -103,7 +103,7 @@ struct MotionRig {
     }
     return angles;
   }
-  /// The stand with the head turned and nodding [deg].
+  /// The stand, with these head angles [deg].
   static CompensatedAngles looking(double turn, double nod) {
     CompensatedAngles angles = home();
     angles[*jointIndex("HeadYaw")] = radians(turn);

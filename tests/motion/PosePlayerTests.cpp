@@ -19,8 +19,8 @@ double farthest(const CompensatedAngles& one, const CompensatedAngles& other) {
 } // namespace
 
 TEST_CASE("a way is smooth, within the allowed speed, and ends where it should") {
-  // Proves speed and continuity of speed by differences over a long way with a corner, against a quarter of each
-  // joint's largest speed.
+  // Proves the speed limit (a quarter of a joint's maximum) and the continuity of speed, by differences along a path
+  // with a corner.
   const JointLimits limits{v6()};
   const CompensatedAngles start = MotionRig::looking(-60, 10), corner = MotionRig::looking(60, -20),
                           end = MotionRig::looking(0, 0);
@@ -43,7 +43,7 @@ TEST_CASE("a way is smooth, within the allowed speed, and ends where it should")
 }
 
 TEST_CASE("motors stay off until something is asked for, and then start from where the joints are") {
-  // Proves that nothing jerks: the first command with stiffness is where the joints were measured.
+  // Proves that motors start without a jerk: the first command with stiffness equals the measured angles.
   MotionRig rig;
   rig.robot.state.angles.values = MotionRig::looking(5, 0).values;
   rig.cycles(10);
@@ -58,7 +58,7 @@ TEST_CASE("motors stay off until something is asked for, and then start from whe
 }
 
 TEST_CASE("a robot that is not at its stand does not move and says why") {
-  // Pins the sentence for a robot that lies or sits somewhere.
+  // Pins the message for a robot lying or sitting.
   MotionRig rig;
   rig.ask(Kind::go, {MotionRig::looking(20, 0)});
   CHECK(rig.see.player->phase == Phase::off);
@@ -69,7 +69,7 @@ TEST_CASE("a robot that is not at its stand does not move and says why") {
 }
 
 TEST_CASE("points that joints cannot take are refused before anything moves") {
-  // Proves it for a limit that depends on another joint, and for what is no number.
+  // Proves it for a limit that depends on another joint, for NaN, and for an empty path.
   MotionRig rig;
   rig.stand();
   rig.ask(Kind::go, {MotionRig::looking(20, 0), MotionRig::looking(87, -30)});
@@ -83,8 +83,8 @@ TEST_CASE("points that joints cannot take are refused before anything moves") {
 }
 
 TEST_CASE("an abort at any moment leads back along the way that was taken") {
-  // Proves for aborts at every tenth of a way with two corners, and again on the way home, that the robot ends at its
-  // stand and is never far from the lines that were checked.
+  // Proves for aborts at every tenth of a path with two corners, each repeated on the way home, that the robot ends at
+  // its stand and stays within 0.02 rad of the checked path.
   const CompensatedAngles one = MotionRig::looking(40, 0), two = MotionRig::looking(40, 20),
                           three = MotionRig::looking(-20, 20);
   const PoseMotion way{MotionRig::home(), {one, two, three}, JointLimits{v6()}, 0.15};
@@ -102,7 +102,7 @@ TEST_CASE("an abort at any moment leads back along the way that was taken") {
     rig.cycles(static_cast<int>(way.duration() / 0.012 * tenth / 10));
     rig.ask(Kind::home);
     rig.cycles(30);
-    rig.ask(Kind::home); // once more on the way
+    rig.ask(Kind::home); // repeated on the way
     const std::size_t from = rig.robot.sent.size();
     CHECK(rig.untilDone());
     CHECK(rig.see.player->atHome);
@@ -114,7 +114,7 @@ TEST_CASE("an abort at any moment leads back along the way that was taken") {
 }
 
 TEST_CASE("a touched robot stops and holds until its chest button sends it home") {
-  // Proves it on the way, with the sentences; a hand at a robot that stands still stops nothing.
+  // Proves it during a motion, with the messages; touching a robot that does not move has no effect.
   MotionRig rig;
   rig.stand();
   rig.robot.state.touch.headFront = true;
@@ -142,7 +142,7 @@ TEST_CASE("a touched robot stops and holds until its chest button sends it home"
 }
 
 TEST_CASE("a tilted robot's motors become weak, and it starts again only from its stand") {
-  // Proves the fall and what follows it.
+  // Proves the reaction to a fall, and the restart.
   MotionRig rig;
   rig.stand();
   rig.ask(Kind::go, {MotionRig::looking(40, 0)});
@@ -161,7 +161,7 @@ TEST_CASE("a tilted robot's motors become weak, and it starts again only from it
 }
 
 TEST_CASE("a joint that gets too hot sends the robot home and off rests it") {
-  // Proves the way home with its sentence, and that motors go off when that is asked for.
+  // Proves the way home with its message, and that a rest request switches the motors off.
   MotionRig rig;
   rig.stand();
   rig.ask(Kind::go, {MotionRig::looking(40, 0)});
@@ -178,7 +178,8 @@ TEST_CASE("a joint that gets too hot sends the robot home and off rests it") {
 }
 
 TEST_CASE("a way home leaves out loops") {
-  // Proves that a robot that came back to a point of its way goes home from there, not through what it did since.
+  // Proves that a robot that has returned to an earlier point of its path goes home from there, without repeating the
+  // loop.
   MotionRig rig;
   rig.stand();
   const CompensatedAngles hub = MotionRig::looking(0, 10);
@@ -197,7 +198,7 @@ TEST_CASE("a way home leaves out loops") {
 }
 
 TEST_CASE("a program that is being ended brings the robot to its stand first") {
-  // Proves that the end waits for the stand, and that a robot whose motors are off is not waited for.
+  // Proves that the shutdown waits for the stand, and does not wait for a robot whose motors are off.
   MotionRig rig;
   rig.cycles(1);
   CHECK(rig.ending.atRest);
@@ -213,7 +214,7 @@ TEST_CASE("a program that is being ended brings the robot to its stand first") {
 }
 
 TEST_CASE("the chest button's presses at the stand are told on, those that send the robot home are not") {
-  // Proves both, and that a button that stays pressed counts once.
+  // Proves both, and that a button held down counts once.
   MotionRig rig;
   const auto press = [&] {
     rig.robot.state.touch.chestButton = true;
@@ -235,8 +236,8 @@ TEST_CASE("the chest button's presses at the stand are told on, those that send 
 }
 
 TEST_CASE("a robot that was held on its way out asks for hands before it goes home") {
-  // Proves for each reason to go home that it stays where it is until the time is over, its eyes asking, and then goes;
-  // that a press hurries it; that it does not ask again at its stand, nor where it is held already.
+  // Proves for each reason for going home that the robot waits with its eyes yellow for 10 s; that a press shortens the
+  // wait; and that it does not ask again at its stand or while it is held.
   const CompensatedAngles one = MotionRig::looking(40, 0), two = MotionRig::looking(40, 20);
   for (const char* reason : {"asked", "pressed", "hot", "ended", "held"}) {
     INFO(reason);
@@ -281,8 +282,8 @@ TEST_CASE("a robot that was held on its way out asks for hands before it goes ho
 }
 
 TEST_CASE("while an answer is waited for, the chest button gives it") {
-  // Proves it away from the stand, that a robot that is held stays so, and that the button sends it home again once the
-  // next request is there.
+  // Proves it away from the stand, that a held robot stays held, and that after the next request the button sends the
+  // robot home again.
   MotionRig rig;
   rig.stand();
   rig.ask(Kind::go, {MotionRig::looking(40, 0)}, true);
@@ -299,8 +300,8 @@ TEST_CASE("while an answer is waited for, the chest button gives it") {
 }
 
 TEST_CASE("silence in a motion is no jump, and joints that were moved meanwhile make motors weak") {
-  // Proves that after a second without a state the way goes on where it was, within a cycle's step, and the sentence
-  // for a robot that was bent.
+  // Proves that after a second without states the motion continues within four steps of a cycle, and the message for a
+  // robot whose joints were moved.
   for (const bool bent : {false, true}) {
     MotionRig rig;
     rig.stand();
@@ -328,7 +329,7 @@ TEST_CASE("silence in a motion is no jump, and joints that were moved meanwhile 
 }
 
 TEST_CASE("a player's parameters are refused where they would be dangerous") {
-  // Pins what a person reads.
+  // Pins the messages.
   MotionRig rig;
   const auto refusal = [&](const char* key, const nlohmann::json& value) -> std::string {
     try {

@@ -6,8 +6,8 @@
 
 namespace naocal {
 
-/// A robot whose joints are in every cycle where they were sent in the one before, while their motors are on. What its
-/// other sensors report is set by the test.
+/// A robot whose joints reach their commands within one cycle while their motors are on. The test sets all other sensor
+/// values.
 class ScriptedRobot final : public RobotInterface {
 public:
   std::optional<RobotIdentity> waitForIdentity(std::chrono::milliseconds) override { return RobotIdentity{}; }

@@ -6,7 +6,7 @@
 using namespace naocal;
 
 TEST_CASE("how a robot fares is told by its battery and its hottest joint") {
-  // Proves which joint is named and when a battery is being charged.
+  // Proves the selected joint, and the criterion for charging.
   RobotState state;
   state.temperature.fill(30);
   state.temperature[*jointIndex("LKneePitch")] = 71;

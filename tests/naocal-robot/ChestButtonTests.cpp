@@ -11,7 +11,7 @@ using nlohmann::json;
 
 namespace {
 
-/// A robot whose person has its chest button and no laptop but to look at.
+/// A person with access to the chest button; the sockets are used for reading only.
 struct Person {
   explicit Person(const SimulatedPlan& plan)
       : simulated{plan}, debug{MateClient::debug(simulated.process->sockets().debugPort())} {
@@ -25,12 +25,12 @@ struct Person {
   void set(const char* key, const json& value) {
     simulated.process->configuration().set("Brain.CalibrationRunner", key, value);
   }
-  /// Sets what the chest button starts, and waits until a whole cycle of the brain has had it.
+  /// Sets the calibration started by the chest button, and waits for a complete cycle of the brain.
   void setStart(const char* kind) {
     set("chestStarts", kind);
     wait(0.2);
   }
-  void wait(double time) { // [s] of the robot's
+  void wait(double time) { // robot's time [s]
     const TimePoint end = simulated.world.truth().time + fromSeconds(time);
     while (simulated.world.truth().time < end) {
       std::this_thread::sleep_for(std::chrono::milliseconds{1});
@@ -44,9 +44,9 @@ struct Person {
     simulated.world.touch({});
     wait(0.1);
   }
-  /// The next state that it tells.
+  /// The next published state.
   json next() { return json::parse(debug.receive(2).value().body).at(0)["value"]; }
-  /// The first state that is so; a calibration that ends before it fails the test.
+  /// Waits for a state that satisfies the predicate; fails if the calibration ends before.
   json until(const std::function<bool(const json&)>& isSo) {
     json state = next();
     while (!isSo(state)) {
@@ -68,8 +68,8 @@ struct Person {
 } // namespace
 
 TEST_CASE("the chest button alone calibrates a leg: it starts, and answers every question", "[robot]") {
-  // Proves it with offsets to 5 degrees; other parameters that are set meanwhile end nothing, and nothing is saved
-  // before the second round has shown that it helps.
+  // Proves it with offsets up to 5 degrees. Setting other parameters meanwhile does not end the calibration, and
+  // nothing is saved before the second round has validated it.
   Person person{SimulatedProcess::plan(1, radians(5))};
   person.setStart("left leg");
   person.press();
@@ -89,14 +89,14 @@ TEST_CASE("the chest button alone calibrates a leg: it starts, and answers every
     }
     state = person.next();
   }
-  CHECK(answered == 6); // to hold it, let it go, hold it: in both rounds
+  CHECK(answered == 6); // hold, release, hold: in both rounds
   CHECK(person.simulated.isSaved(file));
   CHECK(state["errorAfter"] < 0.3 * state["errorBefore"].get<double>());
 }
 
 TEST_CASE("a calibration that the chest button started is ended by its parameter, whatever that was before",
           "[robot]") {
-  // Proves it for the value that the parameter has already; and that an old answer's number is asked no more.
+  // Proves it for an unchanged parameter value, and that question numbers continue after an old answer's.
   Person person{SimulatedProcess::plan(1, 0)};
   person.set("confirmed", 5);
   person.setStart("left leg");
@@ -108,13 +108,13 @@ TEST_CASE("a calibration that the chest button started is ended by its parameter
 }
 
 TEST_CASE("a calibration that is ended while its ways are checked stays ended, and says so") {
-  // Proves that what its work finds afterwards is neither taken up nor told.
+  // Proves that results computed after the end are neither used nor reported.
   Person person{SimulatedProcess::plan(1, 0)};
   person.set("run", "left leg");
   person.until([](const json& one) { return one["phase"] == "preparing" || one["phase"] == "waiting"; });
   person.set("run", "");
   json state = person.until("failed");
-  for (int i = 0; i < 150; ++i) { // longer than the check takes
+  for (int i = 0; i < 150; ++i) { // longer than the path check takes
     state = person.next();
   }
   CHECK(state["phase"] == "failed");
@@ -122,8 +122,8 @@ TEST_CASE("a calibration that is ended while its ways are checked stays ended, a
 }
 
 TEST_CASE("a robot that is ended on one foot is held on its way back", "[robot]") {
-  // Proves for a robot with offsets to 5 degrees, which falls between one foot and both when nobody holds it, that it
-  // asks for hands first and comes to its stand, also where somebody meanwhile wants it to look somewhere.
+  // Proves for a robot with offsets up to 5 degrees, which falls between one foot and both unless held, that it asks to
+  // be held first and reaches its stand, even with a request for camera motion meanwhile.
   Person person{SimulatedProcess::plan(1, radians(5))};
   auto player = MateClient::debug(person.simulated.process->sockets().debugPort());
   person.set("run", "left leg");
@@ -136,7 +136,8 @@ TEST_CASE("a robot that is ended on one foot is held on its way back", "[robot]"
     return state["phase"] == "collecting" && state["pose"] >= 2;
   });
   CHECK(person.simulated.world.truth().supportFoot == SupportFoot::left);
-  person.simulated.process->configuration().set("Brain.BehaviorModule", "isCameraCalibration", true); // no look now
+  person.simulated.process->configuration().set("Brain.BehaviorModule", "isCameraCalibration", true); // must have no
+                                                                                                      // effect now
   person.set("run", "");
   player.send(0, "Motion.player");
   const auto next = [&] { return json::parse(player.receive(2).value().body).at(0)["value"]; };
@@ -145,13 +146,13 @@ TEST_CASE("a robot that is ended on one foot is held on its way back", "[robot]"
     asked = asked || (now["held"] == true && now["phase"] == "holding");
   }
   CHECK(asked);
-  person.wait(1); // it is let go
+  person.wait(1); // released
   CHECK_FALSE(person.simulated.world.truth().fallen);
   CHECK(person.simulated.world.truth().supportFoot == SupportFoot::both);
 }
 
 TEST_CASE("a calibration says what it waits for", "[robot]") {
-  // Proves it for a camera that gives no pictures.
+  // Proves it for a camera without pictures.
   Person person{SimulatedProcess::plan(1, 0)};
   person.simulated.world.block(CameraName::bottom, true);
   person.set("run", "head");

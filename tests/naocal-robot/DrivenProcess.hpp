@@ -14,12 +14,11 @@
 
 namespace naocal {
 
-/// The process as it is shipped, with a configuration, learned state and recordings of its own, driven through its
-/// sockets.
+/// The process as shipped, with temporary configuration, state and recordings, driven through its sockets.
 struct DrivenProcess {
   using Json = nlohmann::json;
 
-  /// `now`: of the robot's own time.
+  /// `now`: clock of the robot.
   void begin(RobotInterface& robot, CameraInterface& cameras, const Robot& drawing, std::function<TimePoint()> now,
              bool realTime = false) {
     std::filesystem::copy(std::filesystem::path{NAOCAL_SOURCE_DIR} / "home/configuration",
@@ -34,10 +33,10 @@ struct DrivenProcess {
                     [this](std::string_view line) { log += std::string{line} + "\n"; });
   }
 
-  /// Starts a calibration over the sockets, answers its questions, and waits for its end; the last state that it told,
-  /// and `robotSeconds`: how long the robot moved, settled and took pictures in its own time. How long it computed
-  /// meanwhile says nothing where time runs as fast as the program.
-  /// `see`: every state on the way.
+  /// Starts a calibration through the sockets, answers its questions and waits for its end. Returns the last state,
+  /// plus `robotSeconds`: time in which the robot moved, settled and took pictures, by its own clock; computing time is
+  /// meaningless if that clock is simulated.
+  /// `see`: called with every state.
   Json calibrated(const std::string& kind, const std::function<void(const Json&)>& see = {}) {
     auto debug = MateClient::debug(process->sockets().debugPort());
     auto config = MateClient::config(process->sockets().configPort());
@@ -48,7 +47,7 @@ struct DrivenProcess {
     debug.send(3);
     debug.receive(4);
     process->start([](std::string_view) {});
-    set("run", ""); // only a change counts
+    set("run", ""); // resets the key first: only changes have an effect
     set("run", kind);
     Json state = {{"phase", "idle"}};
     int answered = 0;
@@ -61,7 +60,7 @@ struct DrivenProcess {
         return {{"phase", "the robot fell silent"}};
       }
       state = Json::parse(update->body).at(0)["value"];
-      begun = begun || state != told; // else it still tells how the one before has ended
+      begun = begun || state != told; // otherwise it is still the end of the previous calibration
       const TimePoint now = robotNow();
       if (state["phase"] == "moving" || state["phase"] == "collecting" || state["phase"] == "going home") {
         moving += toSeconds(now - last);
@@ -85,7 +84,7 @@ struct DrivenProcess {
     return std::filesystem::exists(folder.path() / "state/location" / file);
   }
   Json saved(const std::string& file) const { return Json::parse(readFile(folder.path() / "state/location" / file)); }
-  /// Of the last calibration's first round.
+  /// Recording of the last calibration's first round.
   std::filesystem::path recording() const {
     std::filesystem::path newest;
     for (const auto& entry : std::filesystem::directory_iterator{folder.path() / "recordings"}) {
@@ -94,7 +93,7 @@ struct DrivenProcess {
     return newest / "first";
   }
 
-  /// Replays a calibration's first round with its own configuration; what is said at the end.
+  /// Replays a calibration's first round with the recorded configuration. Returns the final comparison or the failure.
   static std::string replayed(const std::filesystem::path& recording, const std::filesystem::path& folder) {
     const Hardware hardware = replayedHardware(recording / "first", recording / "configuration");
     SocketSettings sockets;
@@ -117,8 +116,8 @@ struct DrivenProcess {
 
   TemporaryFolder folder;
   std::function<TimePoint()> robotNow;
-  Json told;       // at the end of the last calibration
-  std::string log; // to be read when the process has ended
+  Json told;       // final state of the last calibration
+  std::string log; // read only after the process has ended
   std::optional<RobotProcess> process;
 };
 

@@ -21,12 +21,12 @@ const char* orElse(const char* variable, const char* otherwise) {
 
 } // namespace
 
-// Measures; proves nothing. KIND, FIRST and LAST seed, PLAY in degrees, the gears' FRICTION in Nm and a folder to KEEP
-// recordings in are taken from the environment.
+// Measurement; proves nothing. Environment: KIND, FIRST and LAST seed, PLAY [degrees], the gears' FRICTION [Nm], and
+// KEEP, a folder for recordings.
 TEST_CASE("how well simulated robots calibrate their legs", "[.measure]") {
   const std::string kind = orElse("KIND", "left leg");
   std::vector<double> before, after, seconds;
-  std::map<std::string, std::pair<int, int>> within; // by joint: of how many
+  std::map<std::string, std::pair<int, int>> within; // by joint: inside, total
   int ended = 0, robots = 0;
   for (int seed = std::atoi(orElse("FIRST", "1")); seed <= std::atoi(orElse("LAST", "20")); ++seed) {
     SimulatedPlan plan =

@@ -15,15 +15,14 @@
 
 namespace naocal {
 
-/// What a calibration of legs should have found, told by the simulated robot's mechanics, which share nothing with the
-/// program's own.
+/// Ground truth of a leg calibration, from the simulated robot's mechanics, which share no code with the program.
 class LegCalibrationTruth {
 public:
   LegCalibrationTruth(const Robot& drawing, const SimulatedErrors& errors, const ServoMechanics& servos)
       : drawing_{drawing}, errors_{errors}, servos_{servos}, robot_{drawing, errors.robot, RobotMechanics{}} {}
 
-  /// What a joint's encoder shows too much when its gear stands where the load pushes it: o - D/2 sgn(tau). Where the
-  /// load is less than the gear's friction the joint trails behind its motor; of several captures the mean.
+  /// Encoder error of a joint under load, o - D/2 sgn(tau); below the gear's friction the joint lags behind its motor.
+  /// Mean over the captures [rad].
   double shownTooMuch(std::size_t joint, const CaptureSet& set) const {
     double sum = 0;
     int count = 0;
@@ -37,8 +36,8 @@ public:
     return sum / count;
   }
 
-  /// How far off a point of the floor 2 m ahead of a foot is perceived by the top camera when the robot stands on that
-  /// foot with its knees bent and its head straight, with a calibration's offsets and mounts [m].
+  /// Error of the top camera's view of a floor point 2 m ahead of a foot, standing on that foot with bent knees and
+  /// straight head, with a calibration's offsets and mounts [m].
   double floorError(SupportFoot foot, const StoredResult& calibration) const {
     Eigen::VectorXd motor = Eigen::VectorXd::Zero(eigenIndex(drawing_.joints.size()));
     for (const char* side : {"L", "R"}) {
@@ -73,7 +72,7 @@ public:
   }
 
 private:
-  /// Whether it lies between the sole and a camera.
+  /// Whether the joint lies between the sole and a camera.
   bool movesInSight(std::size_t joint, SupportFoot foot) const {
     const std::string& name = drawing_.joints[joint].name;
     return name.starts_with("Head") || name.find("HipYawPitch") != std::string::npos ||
@@ -88,7 +87,7 @@ private:
     }
     return motor;
   }
-  /// `approach`: by hardware's joint; nullptr: gears without load stand in their middle.
+  /// `approach`: indexed by hardware joint; nullptr: unloaded gears are centred.
   Eigen::VectorXd gaps(SupportFoot foot, const Eigen::VectorXd& motor, const std::vector<double>* approach) const {
     const Eigen::VectorXd torques = robot_.gravityTorques(motor, foot);
     Eigen::VectorXd result{motor.size()};

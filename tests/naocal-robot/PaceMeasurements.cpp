@@ -9,15 +9,15 @@
 namespace naocal {
 namespace {
 
-/// Of the calling thread [s].
+/// CPU time of the calling thread [s].
 double processorTime() {
   timespec time{};
   ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
   return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
 }
 
-/// A robot that notes how late its states are taken and its commands come, and what the modules in between cost. A
-/// state that another one overtook counts as one that was taken, and answered, with that one.
+/// Records the delay of states and commands, and the CPU time of the modules in between. A state overtaken by a later
+/// one counts as received, and answered, together with that one.
 class TimedRobot : public RobotInterface {
 public:
   TimedRobot(RobotInterface& robot, const std::atomic<TimePoint>& due) : robot_{robot}, due_{due} {}
@@ -38,7 +38,7 @@ public:
       const std::uint64_t overtakenSoFar = robot_.status().lostStates;
       overtaken_ = overtakenSoFar - std::exchange(overtakenBefore_, overtakenSoFar);
       stateDue_ = due_.load();
-      while (state->time < stateDue_) { // the next one was sent meanwhile
+      while (state->time < stateDue_) { // the next state was sent meanwhile
         stateDue_ -= period();
       }
       starting_ -= starting_ > 0;
@@ -55,17 +55,17 @@ public:
   std::chrono::nanoseconds period() const override { return robot_.period(); }
   RobotStatus status() const override { return robot_.status(); }
 
-  /// Forgets what was noted; then waits until the process has caught up with what came while it did not run.
+  /// Clears the records; then ignores cycles until the process has caught up.
   void startAnew() {
     taken.clear();
     sent.clear();
     work.clear();
     lost = 0;
-    starting_ = 6; // cycles
+    starting_ = 6; // cycles to ignore
   }
 
   std::vector<double> taken, sent, work; // [s]
-  std::uint64_t lost = 0;                // states
+  std::uint64_t lost = 0;                // overtaken states
 
 private:
   void note(std::vector<double>& late) const {
@@ -78,13 +78,13 @@ private:
   RobotInterface& robot_;
   const std::atomic<TimePoint>& due_;
   TimePoint stateDue_{};
-  std::uint64_t overtaken_ = 0, overtakenBefore_ = 0; // states, by the one that was taken; in all
+  std::uint64_t overtaken_ = 0, overtakenBefore_ = 0; // states overtaken by the present one; in total
   int starting_ = 0;
   double began_ = 0;
   bool answered_ = false;
 };
 
-/// A debug client that subscribes to everything.
+/// A debug client that subscribes to all keys.
 struct Client {
   explicit Client(std::uint16_t port) : mate{MateClient::debug(port)} {
     mate.send(3);
@@ -96,7 +96,7 @@ struct Client {
   MateClient mate;
 };
 
-/// What this computer grants a thread of that priority that does nothing: woken every 12 ms, how late it is [s].
+/// Wake-up latency of an idle thread of the same priority, every 12 ms [s].
 std::vector<double> lateness(const std::atomic<bool>& over) {
   requestRealTimePriority(30);
   std::vector<double> late;
@@ -119,7 +119,7 @@ std::string summary(std::vector<double> values) {
 
 } // namespace
 
-// Measures; proves nothing. MINUTES are taken from the environment.
+// Measurement; proves nothing. Environment: MINUTES.
 TEST_CASE("how regularly the motion thread works while cameras, detection, solving and clients are busy",
           "[.measure]") {
   const char* minutes = std::getenv("MINUTES");
@@ -171,7 +171,7 @@ TEST_CASE("how regularly the motion thread works while cameras, detection, solvi
              "to three clients\n{}",
              sum / double(work.size()) / 0.012, 1e3 * work.back(), frames.load(), 1e-6 * double(bytes), v6.log);
   neverReads.mate.send(3);
-  CHECK(neverReads.mate.receive(4)); // is still connected
+  CHECK(neverReads.mate.receive(4)); // still connected
 }
 
 } // namespace naocal

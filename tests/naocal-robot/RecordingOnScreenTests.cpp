@@ -11,8 +11,8 @@
 namespace naocal {
 
 TEST_CASE("the panel says of a robot's recording what the robot said", "[robot]") {
-  // Proves it of a leg's calibration, whose recording has two rounds, one to solve and one to check: opened alone it
-  // shows the round that was solved, with the model of the robot, and verdict, sentence and numbers of its files.
+  // Proves it for a leg's calibration, whose recording has two rounds, one for solving and one for checking: opened
+  // alone, the panel shows the solved round with the robot's model, and the verdict, headline and numbers of its files.
   SimulatedProcess simulated{SimulatedProcess::plan(1, radians(5), radians(0.5))};
   const nlohmann::json state = simulated.calibrated("left leg");
   INFO(state.dump());

@@ -15,8 +15,7 @@ using nlohmann::json;
 
 namespace {
 
-/// The state of a calibration that a client has subscribed to, once it is in this phase; one that ends before it fails
-/// the test.
+/// Waits for a phase of a calibration that the client has subscribed to; fails if the calibration ends before.
 json until(MateClient& debug, const std::string& phase) {
   json state = {{"phase", ""}};
   while (state["phase"] != phase) {
@@ -27,7 +26,7 @@ json until(MateClient& debug, const std::string& phase) {
   return state;
 }
 
-/// All files and folders below one, and what the files hold.
+/// All files and folders below a folder, with the files' content.
 std::map<std::string, std::string> contents(const std::filesystem::path& folder) {
   std::map<std::string, std::string> all;
   for (const auto& entry : std::filesystem::recursive_directory_iterator{folder}) {
@@ -39,7 +38,7 @@ std::map<std::string, std::string> contents(const std::filesystem::path& folder)
 } // namespace
 
 TEST_CASE("both threads are wired with the shipped configuration") {
-  // Proves that every dependency has its producer and every parameter its value, and that all keys are served.
+  // Proves that every dependency has a producer and every parameter a value, and that nine important keys are listed.
   SimulatedProcess simulated{SimulatedProcess::plan(1, 0)};
   auto debug = MateClient::debug(simulated.process->sockets().debugPort());
   debug.send(3);
@@ -56,9 +55,9 @@ TEST_CASE("both threads are wired with the shipped configuration") {
 }
 
 TEST_CASE("a simulated robot calibrates neck and cameras, driven only through the sockets", "[robot]") {
-  // Proves the whole way: started by a SET, poses played, pictures paired and searched, solved, saved into the robot's
-  // own files, and checked with pictures that were not used; asked once more, it keeps what it had. What was shipped is
-  // only read. Its legs are nearly calibrated (within a degree).
+  // Proves the whole workflow: started by SET, poses played, pictures paired and searched, solved, saved into the
+  // robot's own files, and validated with further pictures; a second calibration changes nothing. Shipped files are
+  // only read. The robot's offsets are at most one degree.
   SimulatedProcess simulated{SimulatedProcess::plan(1, radians(1))};
   const auto shipped = contents(simulated.folder.path() / "configuration");
   const json state = simulated.calibrated("head");
@@ -66,7 +65,7 @@ TEST_CASE("a simulated robot calibrates neck and cameras, driven only through th
   REQUIRE(state["phase"] == "finished");
   CHECK(state["errorAfter"] < 0.3 * state["errorBefore"].get<double>());
   const json offsets = simulated.saved("default/body/synthetic-1/JointCalibrationProvider.json");
-  CHECK(offsets.size() == 1); // where the head is turned to, no one can tell on two feet
+  CHECK(offsets.size() == 1); // the head's yaw is not observable on two feet
   CHECK(offsets.contains("headPitch"));
   const json mounts = simulated.saved("simulated/head/synthetic-1/Projection.json");
   CHECK(mounts.size() == 2);
@@ -78,8 +77,8 @@ TEST_CASE("a simulated robot calibrates neck and cameras, driven only through th
 }
 
 TEST_CASE("a calibration of neck and cameras that does not help is taken back", "[robot]") {
-  // Proves it for a robot whose legs are off by up to five degrees: nothing is saved, and offsets are as before; where
-  // somebody saved them before they were checked, what was before is saved again.
+  // Proves it for a robot whose legs are off by up to five degrees: nothing is saved and offsets are restored; if a
+  // client saved them before the validation, the former ones are saved again.
   const bool saves = GENERATE(false, true);
   SimulatedProcess simulated{SimulatedProcess::plan(4, radians(5))};
   bool saved = false;
@@ -101,16 +100,16 @@ TEST_CASE("a calibration of neck and cameras that does not help is taken back", 
 }
 
 TEST_CASE("a simulated robot calibrates a leg on one foot, and what was saved can be undone", "[robot]") {
-  // Proves the whole way for a robot with offsets to 5 degrees, mounts to 2 and play to half a degree in its gears:
-  // the person is asked before it steps onto the foot, pictures are taken from both sides of each pose, and a point of
-  // the floor 2 m ahead is perceived within 2 cm afterwards, by mechanics of the simulation's own. Replaying the
-  // recording gives the same estimates to the last bit.
+  // Proves the whole workflow for offsets up to 5 degrees, mounts up to 2 and gear play up to half a degree: the person
+  // is asked before the robot steps onto the foot, pictures are taken from both approaches of each pose, and a floor
+  // point 2 m ahead is then perceived within 2 cm, by the simulation's independent mechanics. Replaying the recording
+  // gives bitwise equal estimates.
   SimulatedProcess simulated{SimulatedProcess::plan(1, radians(5), radians(0.5))};
   std::set<std::string> questions;
   const json state = simulated.calibrated("left leg", [&](const json& now) { questions.insert(now["question"]); });
   INFO(state.dump());
   REQUIRE(state["phase"] == "finished");
-  CHECK(questions.size() == 4); // none; to hold it, let it go, hold it
+  CHECK(questions.size() == 4); // none; hold, release, hold
   CHECK(questions.contains("The robot is going to stand on its left foot and may fall: take it by its trunk, and "
                            "confirm. Hold it as long as its eyes are yellow."));
   CHECK(state["errorAfter"] < 0.3 * state["errorBefore"].get<double>());
@@ -118,7 +117,7 @@ TEST_CASE("a simulated robot calibrates a leg on one foot, and what was saved ca
   const LegCalibrationTruth truth{simulated.drawing, simulated.world.errors(), ServoMechanics{}};
   CHECK(truth.floorError(SupportFoot::left, {}) > 0.05);
   CHECK(truth.floorError(SupportFoot::left, readConfiguredCalibration(simulated.process->configuration())) < 0.02);
-  std::map<std::string, std::set<double>> sides; // of the knee, by pose
+  std::map<std::string, std::set<double>> sides; // approaches of the knee, by pose
   for (const Capture& capture : readCaptureSet(simulated.recording()).set.captures) {
     sides[capture.pose].insert(capture.joints.approach.at(*jointIndex("LKneePitch")));
   }
@@ -138,7 +137,7 @@ TEST_CASE("a simulated robot calibrates a leg on one foot, and what was saved ca
 }
 
 TEST_CASE("a question that is not answered keeps the robot on both feet, and any other run ends it") {
-  // Proves that nothing moves before a person agrees; an old answer does not count.
+  // Proves that nothing moves before a confirmation; an old answer is ignored.
   SimulatedProcess simulated{SimulatedProcess::plan(1, 0)};
   auto config = MateClient::config(simulated.process->sockets().configPort());
   auto debug = MateClient::debug(simulated.process->sockets().debugPort());
@@ -162,7 +161,7 @@ TEST_CASE("a question that is not answered keeps the robot on both feet, and any
 }
 
 TEST_CASE("a calibration ends when the client that started it is gone", "[robot]") {
-  // Proves it from the will that a client leaves to the robot's way back to its stand.
+  // Proves it from a client's last will to the end of the calibration.
   SimulatedProcess simulated{SimulatedProcess::plan(1, 0)};
   std::optional<MateClient> config{MateClient::config(simulated.process->sockets().configPort())};
   auto debug = MateClient::debug(simulated.process->sockets().debugPort());

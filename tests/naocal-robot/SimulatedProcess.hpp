@@ -8,7 +8,7 @@
 
 namespace naocal {
 
-/// The process on a simulated robot as fast as it goes.
+/// The process on a simulated robot, faster than real time.
 struct SimulatedProcess : DrivenProcess {
   explicit SimulatedProcess(const SimulatedPlan& plan)
       : world{drawing, plan}, robot{world.robot()}, cameras{world.cameras()} {

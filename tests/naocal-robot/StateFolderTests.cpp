@@ -8,7 +8,7 @@
 namespace naocal {
 namespace {
 
-/// A variable of the environment that has another value, or none, for as long as this lives.
+/// RAII environment variable: set, or unset for nullptr, and restored at the end.
 class Variable {
 public:
   Variable(const char* name, const char* value) : name_{name} {
@@ -27,7 +27,7 @@ private:
 } // namespace
 
 TEST_CASE("what robots learn is kept where the XDG specification says, unless told otherwise") {
-  // Pins the folder with and without each variable; a relative one does not count.
+  // Pins the folder with and without each variable; relative paths are ignored.
   const Variable home{"HOME", "/home/ada"};
   for (const char* useless : {static_cast<const char*>(nullptr), "", "relative"}) {
     const Variable state{"XDG_STATE_HOME", useless};

@@ -9,9 +9,9 @@
 namespace naocal {
 
 TEST_CASE("a V6 calibrates neck and cameras over LoLA's socket and V4L2", "[robot]") {
-  // Proves that drivers, threads and calibration work together: bytes on a UNIX socket as a V6 sends them, pictures in
-  // V4L2's buffers with their stamps, everything else as shipped. The robot's time is its own, so a busy machine
-  // changes nothing; what a program costs at the robot's own pace is measured by PaceMeasurements.cpp.
+  // Proves that drivers, threads and calibration work together: states on a UNIX socket in a V6's format, pictures in
+  // V4L2 buffers with their time stamps, everything else as shipped. The robot's clock is simulated, so the machine's
+  // load has no influence; PaceMeasurements.cpp measures real time.
   SimulatedPlan plan = simulatedPlan(1);
   plan.pace = Pace::quick;
   plan.offsetRange = radians(1);
@@ -27,7 +27,7 @@ TEST_CASE("a V6 calibrates neck and cameras over LoLA's socket and V4L2", "[robo
             .find("estimates are the recorded ones, bit for bit.") != std::string::npos);
 }
 
-// Measures the same for a leg (a minute and a half), with what can be wrong with a robot; proves nothing.
+// The same measurement for a leg (1.5 minutes), with gear play; proves nothing.
 TEST_CASE("how well a V6 calibrates a leg over LoLA's socket and V4L2", "[.measure]") {
   SimulatedPlan plan = simulatedPlan(1);
   plan.playRange = radians(0.5);
@@ -44,7 +44,7 @@ TEST_CASE("how well a V6 calibrates a leg over LoLA's socket and V4L2", "[.measu
                       << DrivenProcess::replayed(v6.recording().parent_path(), v6.folder.path() / "again"));
 }
 
-// Proves nothing: a V6 at /tmp/robocup for SECONDS, for programs that are tried on this computer as on a robot's.
+// Tool, proves nothing: a simulated V6 at /tmp/robocup for SECONDS, to try programs on this computer as on a robot.
 TEST_CASE("a V6 stands here", "[.twin]") {
   const char* wanted = std::getenv("SECONDS");
   const Robot drawing = loadRobot(configurationDirectory(), "V6");

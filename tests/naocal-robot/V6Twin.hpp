@@ -18,10 +18,10 @@
 
 namespace naocal {
 
-/// How long a twin whose time is not the wall's waits for the program before it goes on without it.
+/// Timeout of a twin with simulated time: it then continues without the program.
 inline constexpr std::chrono::seconds twinPatience{2};
 
-/// A kernel that two threads use: one takes pictures, the other one has the cameras.
+/// A thread-safe kernel: one thread exposes pictures, another reads the cameras.
 class SharedVideo : public VideoSystem {
   template <typename Call> auto guarded(const Call& call) {
     const std::lock_guard lock{mutex_};
@@ -30,13 +30,13 @@ class SharedVideo : public VideoSystem {
 
 public:
   void expose(const CameraFrame& frame) {
-    const auto bytes = frame.picture->bytes(); // drawn before the kernel is locked, else the brain hardly gets a turn
+    const auto bytes = frame.picture->bytes(); // rendered before locking, so that the brain's thread is not blocked
     const std::lock_guard lock{mutex_};
     const char* path = frame.camera == CameraName::top ? "/dev/video-top" : "/dev/video-bottom";
     video_.expose(video_.cameras[path], bytes, frame.time.time_since_epoch());
     idle_ = false;
   }
-  /// Until the cameras' thread has taken all pictures and waits for the next one.
+  /// Waits until the cameras' thread has taken all pictures and waits for the next one.
   void waitForReader() {
     std::unique_lock lock{mutex_};
     changed_.wait_for(lock, twinPatience, [this] { return idle_; });
@@ -84,8 +84,8 @@ private:
   FakeVideo video_;
 };
 
-/// A V6 as its head's programs meet it: LoLA's socket and two V4L2 cameras, behind which a simulated robot stands. With
-/// `Pace::quick` its time is its own: it waits for every command and until every picture was taken.
+/// A V6 as seen by programs on its head: LoLA's socket and two V4L2 cameras, connected to a simulated robot. With
+/// `Pace::quick` its time is simulated: it waits for every command and until every picture was taken.
 class V6Twin {
 public:
   V6Twin(const Robot& drawing, SimulatedPlan plan, const std::filesystem::path& socket)
@@ -111,13 +111,13 @@ public:
 
   SimulatedWorld world;
   SharedVideo video;
-  std::atomic<int> states = 0, commands = 0; // sent; heard
+  std::atomic<int> states = 0, commands = 0; // sent; received
   std::atomic<TimePoint> due{};              // when the last state was sent
-  std::atomic<TimePoint> stateTime{};        // of the last state, in the robot's time
+  std::atomic<TimePoint> stateTime{};        // robot's time of the last state
 
 private:
   void live(const std::stop_token& stop) {
-    requestRealTimePriority(40); // as the firmware has, where the system grants it
+    requestRealTimePriority(40); // like the firmware, if permitted
     lola_.accept();
     RobotCommand command;
     command.angles = SimulatedPlan::standingAngles();
@@ -130,11 +130,11 @@ private:
       }
       stateTime = state->time;
       if (!lola_.send(twin::stateOf([&](std::string_view list, std::size_t i) { return number(*state, list, i); }))) {
-        lola_.accept(); // the program was started anew
+        lola_.accept(); // the program was restarted
         continue;
       }
       ++states;
-      constexpr std::chrono::milliseconds cycleShare{8}; // of a cycle's 12; the robot goes on without an answer
+      constexpr std::chrono::milliseconds cycleShare{8}; // of a 12 ms cycle; the robot continues without a reply
       const std::chrono::milliseconds patience = isQuick_ ? twinPatience : cycleShare;
       const std::string message = lola_.hears(int(patience.count())) ? lola_.receive(lolaCommandSize) : "";
       if (message.size() == lolaCommandSize) {
@@ -143,7 +143,7 @@ private:
           command.angles[joint] = twin::commanded(message, "Position", i);
           command.stiffness[joint] = std::max(0.f, twin::commanded(message, "Stiffness", i));
         }
-        for (std::size_t i = 0; i < command.leds.leftEye.size(); ++i) { // all reds, all greens, all blues
+        for (std::size_t i = 0; i < command.leds.leftEye.size(); ++i) { // all red values, then green, then blue
           command.leds.leftEye[i] = {twin::commanded(message, "LEye", i), twin::commanded(message, "LEye", i + 8),
                                      twin::commanded(message, "LEye", i + 16)};
         }
@@ -176,7 +176,7 @@ private:
   std::jthread motion_, sight_;
 };
 
-/// A robot whose states bear the twin's time instead of that of their arrival.
+/// Replaces the arrival time of states by the twin's time.
 class TwinTimedRobot : public RobotInterface {
 public:
   TwinTimedRobot(RobotInterface& robot, const V6Twin& twin) : robot_{robot}, twin_{twin} {}
@@ -187,7 +187,7 @@ public:
   std::optional<RobotState> waitForState(std::chrono::milliseconds timeout) override {
     auto state = robot_.waitForState(timeout);
     if (state) {
-      state->time = twin_.stateTime; // the next state follows the answer to this one
+      state->time = twin_.stateTime; // the next state is sent only after the reply to this one
     }
     return state;
   }
@@ -200,11 +200,11 @@ private:
   const V6Twin& twin_;
 };
 
-/// The process as it runs on a V6's head.
+/// The process as on a V6's head.
 struct V6Process : DrivenProcess {
   using Watch = std::function<std::unique_ptr<RobotInterface>(RobotInterface&, V6Twin&)>;
 
-  /// `watch`: stands between the process and its robot.
+  /// `watch`: wraps the robot interface.
   explicit V6Process(const SimulatedPlan& plan, const Watch& watch = {})
       : twin{drawing, plan, folder.path() / "robocup"}, robot{folder.path() / "robocup"}, cameras{videoOptionsForModel(
                                                                                                       "V6"),
@@ -223,7 +223,7 @@ struct V6Process : DrivenProcess {
   V6Twin twin;
   LolaRobot robot;
   VideoCameras cameras;
-  std::unique_ptr<RobotInterface> watched; // real-time priority is asked for, too
+  std::unique_ptr<RobotInterface> watched; // if set by `watch`, real-time priority is requested too
 };
 
 } // namespace naocal

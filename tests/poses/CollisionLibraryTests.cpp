@@ -13,7 +13,7 @@ using namespace naocal;
 
 namespace {
 
-/// The drawing's capsules as the Flexible Collision Library's, moved by the plain robot's kinematics.
+/// The drawing's capsules in the Flexible Collision Library, moved by the plain robot's kinematics.
 class LibraryHull {
 public:
   explicit LibraryHull(const plain::Json& robot) : robot_{robot} {
@@ -44,7 +44,7 @@ public:
     }
   }
 
-  /// The least distance of two parts that could touch; 0 or less where some do [m].
+  /// Least distance of two parts that may touch; 0 or less if some touch [m].
   double leastDistance(const plain::Angles& angles) const {
     const auto posture = plain::posture(robot_, angles);
     double least = 1;
@@ -71,7 +71,7 @@ private:
     return result.min_distance;
   }
 
-  /// Joints from the root to a link.
+  /// Joints between the root and a link.
   std::vector<std::string> jointsTo(std::string link) const {
     std::vector<std::string> joints;
     while (!link.empty()) {
@@ -105,9 +105,9 @@ private:
 } // namespace
 
 TEST_CASE("a collision library finds the same postures touching", "[slow]") {
-  // Proves SelfCollision against FCL on 3000 random postures of the whole robot, both ways, with kinematics and the
-  // choice of pairs written anew from the drawing; postures within a tenth of a millimetre of the clearance are left
-  // out. That the capsules are the robot's shape is the drawing's word.
+  // Compares SelfCollision with FCL on 3000 random postures of the whole robot, in both directions, with kinematics and
+  // selection of pairs reimplemented from the drawing; postures within 0.1 mm of the clearance are skipped. Whether the
+  // capsules have the robot's shape is not tested.
   const plain::Json drawing = plain::drawing("V6");
   const LibraryHull library{drawing};
   const Robot robot = v6();
@@ -116,7 +116,7 @@ TEST_CASE("a collision library finds the same postures touching", "[slow]") {
   std::mt19937 random{4};
   int touching = 0, apart = 0;
   for (int draw = 0; draw < 3000; ++draw) {
-    const double share = std::uniform_real_distribution{0.1, 0.8}(random); // of the way to the limits
+    const double share = std::uniform_real_distribution{0.1, 0.8}(random); // of the range from rest to the limits
     plain::Angles angles;
     Eigen::VectorXd ofJoints(static_cast<Eigen::Index>(robot.joints.size()));
     for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {

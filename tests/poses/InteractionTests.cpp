@@ -10,8 +10,8 @@
 using namespace naocal;
 
 TEST_CASE("joints look alike as far as their observations point the same way, whatever the sensor observes") {
-  // Proves (4.4) on made-up observations of one, two and five numbers: sign and size do not matter, and a joint that
-  // does not show looks like every other.
+  // Proves (4.4) on hand-made observations of dimension one, two and five: sign and size do not matter, and an
+  // unobservable joint interacts with every other.
   Eigen::MatrixXd one(1, 3), two(2, 3), five = Eigen::MatrixXd::Identity(5, 3);
   one << 1, -3, 0;
   two << 1, 2, 1, 0, 0, 1;
@@ -21,7 +21,7 @@ TEST_CASE("joints look alike as far as their observations point the same way, wh
 }
 
 TEST_CASE("a chain takes the poses that tell apart what the others leave alike, and ends when nothing is left") {
-  // Proves (4.5) on three pairs: the chain's choice, its cost and count, that weights matter, and its end.
+  // Proves (4.5) on three pairs: the chain's selection, cost and count, the effect of weights, and its end.
   const std::vector<Eigen::ArrayXd> poses{Eigen::Array3d{0, 1, 1}, Eigen::Array3d{0.5, 0.5, 0.5},
                                           Eigen::Array3d{1, 0, 0}, Eigen::Array3d{0, 1, 0.9}};
   const InteractionCriterion equal{Eigen::Vector3d::Ones()};
@@ -29,14 +29,14 @@ TEST_CASE("a chain takes the poses that tell apart what the others leave alike, 
   CHECK(equal(poses[1]).cost == Approx(0.5));
   CHECK(equal(poses[3]).count == 2);
   CHECK(equal(poses[0] * poses[2]).count == 0);
-  const InteractionCriterion first{Eigen::Vector3d{1, 1, 0.1}}; // the pair (0, 1) matters most
+  const InteractionCriterion first{Eigen::Vector3d{1, 1, 0.1}}; // the pair (0, 1) has the largest weight
   CHECK(first.selectChain(poses, 1) == std::vector<std::size_t>{3});
 }
 
 TEST_CASE("the floor's picture moves as a joint turns the camera") {
-  // Proves the observation where it can be said in words: a level camera's nod moves the picture by about its focal
-  // length per radian and hardly turns it; a joint that is not between camera and floor shows nothing; two cameras
-  // make six rows, and a weight scales its camera's.
+  // Proves the observation for simple cases: pitching a level camera shifts the image by about its focal length per
+  // radian and hardly rotates it; a joint outside the chain has no effect; two cameras give six rows, and a weight
+  // scales its camera's rows.
   const Robot& robot = v6();
   const auto cameras = nominalCameras(640, 480);
   const std::vector<std::size_t> joints{*robot.jointIndex("HeadPitch"), *robot.jointIndex("RAnklePitch")};
@@ -55,8 +55,8 @@ TEST_CASE("the floor's picture moves as a joint turns the camera") {
 }
 
 TEST_CASE("the worst joint's sigma is at most half of what the thesis's selection of as many poses leaves") {
-  // Proves it at 3, 5 and 8 poses among the same few candidates with the same boards; `naocal poses --compare` prints
-  // it for a million. The thesis's own measure is better in its own selection: neither wins by a mistake in the other.
+  // Proves it for 3, 5 and 8 poses among the same few candidates with the same boards; `naocal poses --compare` prints
+  // it for a million. The thesis's criterion is better by its own measure, as it should be.
   const SimulationPlan scene;
   PlanOptions options;
   options.poses.maxAttempts = 40'000;

@@ -13,14 +13,14 @@
 namespace naocal {
 namespace {
 
-/// Stable poses as they come, not chosen for what they tell.
+/// Stable poses in random order, not selected for information.
 std::vector<CommandedPose> randomPoses(std::size_t count, std::uint64_t seed) {
   PoseOptions options;
   options.count = count;
   options.seed = seed;
   options.choice = 1;
   SimulationPlan plan;
-  for (Board& board : plan.boards) { // seen from the left sole
+  for (Board& board : plan.boards) { // relative to the left sole
     board.placement->y -= halfFootDistance;
   }
   std::vector<CommandedPose> result;
@@ -30,7 +30,7 @@ std::vector<CommandedPose> randomPoses(std::size_t count, std::uint64_t seed) {
   return result;
 }
 
-/// The robot of seed 1 among its boards, standing anew for every `stance`.
+/// Captures of the robot of seed 1 and its boards, with a new placement of the robot for every `stance`.
 CaptureSet captures(std::vector<CommandedPose> poses, int stance) {
   SimulationPlan plan;
   plan.poses = std::move(poses);
@@ -48,7 +48,7 @@ ModelAmbiguity between(const std::string& one, double size, const std::string& o
   return {{suspect(one, size), suspect(other, otherSize)}, true, {}, {}, allEffects(), "tells the two apart"};
 }
 
-/// Captures with the base model fitted to them.
+/// Captures with the fitted base model.
 struct Fitted {
   explicit Fitted(const std::vector<CaptureSet>& given)
       : measurements{buildMeasurements(given, v6(), true)}, model{buildModel(measurements)} {
@@ -61,7 +61,7 @@ struct Fitted {
   CalibrationResult fit;
 };
 
-/// What these captures tell about the question, by the measurements alone; noise and fit as of `before`.
+/// Misfits from the information of these captures; noise and fit as of `before`.
 Eigen::VectorXd misfits(const Fitted& fitted, const Noise& noise, const ModelAmbiguity& question) {
   const Model model = addHypotheses(fitted.measurements, fitted.model, question);
   const Residuals residuals{fitted.measurements, model, noise};
@@ -85,10 +85,9 @@ std::vector<CommandedPose> commanded(const std::vector<ProposedPose>& poses) {
 } // namespace
 
 TEST_CASE("four proposed poses tell twins apart better than four random ones, by as much as they promise", "[slow]") {
-  // Proves on pairs of effects that twelve random poses hardly tell apart: a simulated robot, which shares no physics
-  // with the model, takes the proposed poses, and the information in its captures grows by what was predicted and by
-  // more than with random stable poses (the median of five draws). Does not prove that an effect is named sooner:
-  // `naocal evaluate next` measures that.
+  // Proves for pairs of effects that twelve random poses hardly separate: a simulated robot, independent of the model,
+  // takes the proposed poses, and the information in its captures grows as predicted and by more than with random
+  // stable poses (median of five draws). That effects are identified sooner is measured by `naocal evaluate next`.
   static const Fitted before{{captures(randomPoses(12, 7), 0)}};
   const auto [one, size, other, otherSize] = GENERATE(table<std::string, double, std::string, double>({
       {"elasticity@LKneePitch", 0.006, "elasticity@LAnklePitch", 0.006},
@@ -113,16 +112,16 @@ TEST_CASE("four proposed poses tell twins apart better than four random ones, by
   }
   std::nth_element(random.begin(), random.begin() + 2, random.end());
   CAPTURE(next.growth, proposed, random[2]);
-  CHECK(next.growth < 1.2 * proposed); // promised for one picture a pose: readings of repeats tell a little more
+  CHECK(next.growth < 1.2 * proposed); // predicted for one picture per pose; repeated readings add a little
   CHECK(next.growth > 0.75 * proposed);
   CHECK(proposed - 1 > 1.5 * (random[2] - 1));
 }
 
 TEST_CASE("poses are proposed for captures that tell little or much of the joints, and only where boards lie",
           "[slow]") {
-  // Proves that fingers, which no drawing has, and readings that are missing do no harm; that every proposed pose sees
-  // a board of the captures and is reached safely from standing on its foot; that the
-  // same seed proposes the same; and that a hanging robot is proposed nothing.
+  // Proves that unknown joints (fingers) and missing readings are handled; that every proposed pose sees a board of the
+  // captures and is reached safely from standing on its foot; that proposals are reproducible; and that a robot without
+  // support foot gets none.
   CaptureSet set = captures(randomPoses(8, 3), 0);
   set.jointNames.push_back("LHand");
   for (Capture& capture : set.captures) {
@@ -168,7 +167,7 @@ TEST_CASE("poses are proposed for captures that tell little or much of the joint
 }
 
 TEST_CASE("planned captures tell what the captures tell") {
-  // Proves that models that look at the torso's angles or the feet's loads can be planned for too.
+  // Proves that planned captures contain torso angles and foot loads if the existing captures do.
   CaptureSet set = captures(randomPoses(1, 3), 0);
   for (Capture& capture : set.captures) {
     capture.imu = Eigen::Vector2d{0.01, 0.02};
@@ -187,7 +186,7 @@ TEST_CASE("planned captures tell what the captures tell") {
 }
 
 TEST_CASE("what a rival cannot imitate is told by hand") {
-  // Proves the formula for one own unknown and two suspects: V by elimination, I_jk by the rival with its prior.
+  // Proves the formula for one unknown and two suspects: V by elimination, I_jk with the rival and its prior.
   const ModelAmbiguity question = between("a", 2, "b", 0.5);
   Eigen::Matrix3d hessian;
   hessian << 4, 2, 0, 2, 10, 3, 0, 3, 5;

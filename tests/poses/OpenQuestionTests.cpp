@@ -33,7 +33,7 @@ std::vector<std::string> labels(const ModelAmbiguity& question) {
 } // namespace
 
 TEST_CASE("where no poses can help, it is said why") {
-  // Proves a reason of its own for captures that are bad, for what sits where poses cannot be planned, and for nothing.
+  // Proves the reasons for nothing open, bad captures, and a place where poses cannot be planned.
   Diagnosis diagnosis;
   const auto why = [&] { return findAmbiguity(diagnosis, v6(), {}).whyNone; };
   CHECK(why() == "the captures leave nothing open");
@@ -45,7 +45,7 @@ TEST_CASE("where no poses can help, it is said why") {
 }
 
 TEST_CASE("twins are asked first, then a curve's rival, then what captures hardly test") {
-  // Proves which question each kind of diagnosis leaves open, on made-up diagnoses.
+  // Proves the order of open questions on hand-made diagnoses.
   Diagnosis diagnosis;
   diagnosis.verdict = Verdict::effectMissing;
   diagnosis.ranking = {finding("elasticity", "LKneePitch", CandidateState::present, 30),
@@ -59,7 +59,7 @@ TEST_CASE("twins are asked first, then a curve's rival, then what captures hardl
   const ModelAmbiguity twins = ask();
   CHECK(twins.rivals);
   CHECK(labels(twins) == std::vector<std::string>{"elasticity@LKneePitch", "backlash@LKneePitch"});
-  CHECK(twins.with.empty()); // none of the suspects is in the model
+  CHECK(twins.with.empty()); // the suspects are removed from the model
   CHECK(twins.suspects[0].odds == Approx(1 / (1 + std::exp(-1.0))));
   CHECK(twins.why == "tells elasticity@LKneePitch from backlash@LKneePitch");
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-/// A robot as its drawing's file has it, written without anything of src/modules: to check what these say.
+/// A robot as described in its drawing, implemented without src/modules, to validate the modules.
 namespace plain {
 
 using Json = nlohmann::json;
@@ -33,7 +33,7 @@ inline Eigen::Vector3d metres(const Json& millimetres) {
          1000;
 }
 
-/// torsoFromLink by the link's name.
+/// torsoFromLink by link name.
 inline std::map<std::string, Eigen::Isometry3d> posture(const Json& robot, const Angles& angles) {
   std::map<std::string, Eigen::Isometry3d> result;
   for (const Json& link : robot["tree"]["links"]) {
@@ -63,7 +63,7 @@ inline std::map<std::string, Eigen::Isometry3d> posture(const Json& robot, const
   return result;
 }
 
-/// In the torso's frame [m].
+/// Centre of mass in the torso's frame [m].
 inline Eigen::Vector3d centreOfMass(const Json& robot, const std::map<std::string, Eigen::Isometry3d>& links) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   double mass = 0;
@@ -77,7 +77,7 @@ inline Eigen::Vector3d centreOfMass(const Json& robot, const std::map<std::strin
   return sum / mass;
 }
 
-/// Counter-clockwise, in the sole's frame [m].
+/// Outline of a sole, counter-clockwise, in its frame [m].
 inline std::vector<Eigen::Vector3d> outline(const Json& robot, const std::string& side) {
   const Json& sole = robot["soles"][side];
   std::vector<Eigen::Vector3d> corners;
@@ -106,7 +106,7 @@ inline bool inside(const std::vector<Eigen::Vector3d>& corners, const Eigen::Vec
   return true;
 }
 
-/// Where the corners of a sole are, given how the other one sees it.
+/// Transforms a sole's corners into the other sole's frame.
 inline std::vector<Eigen::Vector3d> placed(const std::vector<Eigen::Vector3d>& corners, const Eigen::Isometry3d& from) {
   std::vector<Eigen::Vector3d> result;
   for (const Eigen::Vector3d& corner : corners) {
@@ -115,15 +115,15 @@ inline std::vector<Eigen::Vector3d> placed(const std::vector<Eigen::Vector3d>& c
   return result;
 }
 
-/// Corners of the right sole in the frame of the left one [m].
+/// Corners of the right sole in the left one's frame [m].
 inline std::vector<Eigen::Vector3d> rightSole(const Json& robot, const Angles& angles) {
   const auto links = posture(robot, angles);
   return placed(outline(robot, "right"), links.at(robot["soles"]["left"]["link"].get<std::string>()).inverse() *
                                              links.at(robot["soles"]["right"]["link"].get<std::string>()));
 }
 
-/// The robot stands on both soles: on the plane nearest to their corners, no straight line through the foot of the
-/// centre of mass has all corners on one side.
+/// Whether the robot stands on both soles: in the plane fitted to their corners, no line through the projected centre
+/// of mass has all corners on one side.
 inline bool standsOnBoth(const Json& robot, const Angles& angles) {
   const auto links = posture(robot, angles);
   std::vector<Eigen::Vector3d> corners;
@@ -153,7 +153,7 @@ inline bool standsOnBoth(const Json& robot, const Angles& angles) {
   return widest < 180 * degree;
 }
 
-/// The robot stands on one flat sole and holds the other one up, or on both.
+/// Whether the robot stands on one flat sole with the other one lifted, or on both.
 inline bool stands(const Json& robot, const std::string& side, const Angles& angles) {
   if (side == "both") {
     return standsOnBoth(robot, angles);
@@ -170,7 +170,7 @@ inline bool stands(const Json& robot, const std::string& side, const Angles& ang
   return inside(outline(robot, side), soleFromTorso * centreOfMass(robot, links));
 }
 
-/// Angles of which each keeps to its limits, the coupled ones included, by `margin`; arms hang and need none.
+/// Whether all angles keep `margin` from their limits, including coupled ones; hanging arms need no margin.
 inline bool withinLimits(const Json& robot, const Angles& angles, double margin) {
   for (const auto& [name, joint] : robot["joints"].items()) {
     if (!joint.is_object()) {

@@ -12,9 +12,8 @@
 #include <stdexcept>
 #include <string>
 
-/// The spread of each joint's offset error (root mean square) over simulated robots of unknown offsets, mounts and
-/// placements that take a plan's poses among its boards and are calibrated [rad]. The simulator has its own mechanics
-/// and noise.
+/// RMS error of each joint's offset over simulated robots with unknown offsets, mounts and placements, calibrated with
+/// a plan's poses and boards [rad]. The simulator has its own mechanics and noise.
 inline std::map<std::string, double> simulatedSpread(const naocal::PosePlan& plan, std::uint64_t robots) {
   using namespace naocal;
   SimulationPlan scene;

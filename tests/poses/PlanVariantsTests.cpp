@@ -9,8 +9,8 @@
 using namespace naocal;
 
 TEST_CASE("a plan that is extended keeps its poses and boards and tells every offset better", "[slow]") {
-  // Proves it for three more poses; also that the same total planned at once is not worse by more than a fifth either
-  // way, that is, that what the first poses told is counted.
+  // Proves it for three more poses; also that planning the same total at once differs by less than 20 % in the worst
+  // sigma, so the first poses' information is included.
   const PosePlan first = quickPlan(quickOptions(6));
   PlanOptions more = quickOptions(6);
   more.poses.count = 3;
@@ -34,7 +34,7 @@ TEST_CASE("a plan that is extended keeps its poses and boards and tells every of
 }
 
 TEST_CASE("the quickest plan reaches the sigma that is asked for, and a harder demand takes longer", "[slow]") {
-  // Proves both for two demands, and that one which as many poses cannot meet is refused with what they can.
+  // Proves both for two demands, and that a demand that cannot be met with as many poses is refused.
   PlanOptions easy = quickOptions(6);
   easy.criterion = Criterion::time;
   easy.sigma = radians(0.5);
@@ -56,7 +56,7 @@ TEST_CASE("the quickest plan reaches the sigma that is asked for, and a harder d
 }
 
 TEST_CASE("mirrored boards lie alike on both sides, and mirroring twice changes nothing") {
-  // Proves it for the sheets' corners, whatever way they are turned, and for a robot's angles.
+  // Proves it for a board's corners at any rotation, and for a robot's angles.
   const SimulationPlan scene;
   Board board = scene.boards.front();
   board.placement = Placement{0.5, 0.3, 0, 0, 0, 0.7};
@@ -74,7 +74,8 @@ TEST_CASE("mirrored boards lie alike on both sides, and mirroring twice changes 
 }
 
 TEST_CASE("a board may be off as far as a plan says", "[slow]") {
-  // Proves the tolerances of a plan by laying each board off by them, along the axes and turned, and judging anew.
+  // Proves a plan's tolerances by displacing each board by them, along the axes and in rotation, and evaluating the
+  // plan again.
   const PosePlan good = quickPlan(quickOptions(6));
   const SimulationPlan scene;
   std::vector<ValidPose> poses;
@@ -97,8 +98,9 @@ TEST_CASE("a board may be off as far as a plan says", "[slow]") {
 }
 
 TEST_CASE("a plan on both feet leaves the feet where they are and looks at both legs", "[slow]") {
-  // Proves that every way between its poses keeps the other sole within 5 mm, at a finer step than it was planned with,
-  // that most neighbours have a way, and that offsets of both legs are told better than they are known beforehand.
+  // Proves that every path between its poses keeps the other sole within 5 mm, at a finer step than planned, that at
+  // least six of seven neighbours have a path, and that offsets of both legs are estimated to less than half their
+  // prior sigma.
   const PosePlan plan = quickPlan(quickOptions(8, SupportFoot::both));
   REQUIRE(plan.poses.size() == 8);
   const TransitionCheck checks{v6(), plan.options.poses, {.share = 0.95, .step = 0.02, .slip = 0.005}};
@@ -125,8 +127,8 @@ TEST_CASE("a plan on both feet leaves the feet where they are and looks at both 
 }
 
 TEST_CASE("poses that are to tell two effects apart do so better than those of any other criterion", "[slow]") {
-  // Proves it among the same candidates, boards where they are, for one kind of effect at one joint; and that names
-  // which mean nothing, or one effect alone, are refused with what to do.
+  // Proves it among the same candidates with fixed boards, for two effects at one joint; unknown names and single
+  // effects are refused with advice.
   PlanOptions options = quickOptions(5);
   options.criterion = Criterion::discriminate;
   options.effects = {"elasticity@LKneePitch", "backlash@LKneePitch"};
@@ -144,7 +146,7 @@ TEST_CASE("poses that are to tell two effects apart do so better than those of a
   }
   CHECK(own == Approx(*plan.misfit));
   CHECK(own > 1.2 * others);
-  CHECK(plan.poses.front().approach.isZero()); // neither looks at it
+  CHECK(plan.poses.front().approach.isZero()); // neither effect depends on the approach
   options.compare = false;
   options.effects = {"elasticity@LKneePitch", "hysteresis@LKneePitch"};
   CHECK(quickPlan(options).poses.front().approach.cwiseAbs().minCoeff() == 1);
@@ -155,8 +157,8 @@ TEST_CASE("poses that are to tell two effects apart do so better than those of a
 }
 
 TEST_CASE("a plan that is refined for worn robots serves them better", "[slow]") {
-  // Proves it by 100 robots with joint errors that the plan was not refined for, against the same plan for the drawn
-  // robot alone, by the worst joint's root mean square; the drawn robot's worst offset may suffer by a sixth.
+  // Proves it by the worst joint's rms for perturbed robots, against a plan refined for the drawn robot only; the drawn
+  // robot's worst sigma may grow by at most a sixth.
   PlanOptions options = quickOptions(6);
   options.rounds = 2;
   options.perturbedRobots = 12;

@@ -11,7 +11,7 @@
 namespace naocal {
 namespace {
 
-/// One proposed pose with every joint at rest within its limits.
+/// One proposed pose, every joint at zero or its nearest limit.
 NextPoses proposed() {
   ProposedPose pose;
   pose.pose.angles.setZero(static_cast<Eigen::Index>(v6().joints.size()));
@@ -32,7 +32,7 @@ NextPoses proposed() {
 } // namespace
 
 TEST_CASE("a pose file is read as it was written, and holds every key that others rely on") {
-  // Proves the round trip of one pose and the contract's keys.
+  // Proves the round trip of one pose, and the keys of the file format.
   const TemporaryFolder folder;
   const NextPoses next = proposed();
   const nlohmann::json written = posesJson(next, v6());
@@ -54,7 +54,7 @@ TEST_CASE("a pose file is read as it was written, and holds every key that other
 }
 
 TEST_CASE("a pose file that cannot be played is refused in one sentence") {
-  // Proves that each fault is found and named by its place; that nothing else is accepted no test can prove.
+  // Proves each fault's message and place. Examples cannot prove that every other fault is refused.
   const auto [fault, sentence] = GENERATE(table<std::function<void(nlohmann::json&)>, std::string>(
       {{[](auto& file) { file["format"] = "naocal-captures"; }, "format: expected one of naocal-poses"},
        {[](auto& file) { file["robot"] = "V4"; }, "robot: expected poses for the V6, found \"V4\""},

@@ -12,7 +12,7 @@ using namespace naocal;
 
 namespace {
 
-/// Three A2 boards before the robot; their sheets' top left corners at these places.
+/// Three A2 boards before the robot; positions of their top left corners.
 std::vector<Board> boards() {
   std::vector<Board> boards;
   for (const auto& [id, placement] : {std::pair{"A", Placement{0.4, 0.3, 0, 0, 0, -0.1}},
@@ -40,7 +40,7 @@ std::vector<PlannedPose> poses(SupportFoot foot, std::uint64_t seed = 1, std::si
   return planInformativePoses(v6(), boards(), cameras(), options);
 }
 
-/// Pixel and distance of a corner, written with the pinhole's formula in the camera's own axes (x forward).
+/// Pixel and distance of a corner, by the pinhole formula in the camera's frame (x forward).
 struct Seen {
   double u, v, distance, grazing;
 };
@@ -64,8 +64,8 @@ Seen pinhole(const Robot& robot, const LinkPoses& torsoFromLink, const Sole& sup
 } // namespace
 
 TEST_CASE("planned poses keep within limits, stand on one foot and see a board") {
-  // Proves, with own arithmetic on the forward kinematics, everything that the generator promises of a pose, on either
-  // foot. Does not prove that legs and arms do not touch or hide the board: the generator does not look at that.
+  // Proves, with independent arithmetic on the forward kinematics, all guarantees of the generator, on either foot.
+  // Collisions of legs and arms and hidden boards are not checked by the generator.
   const Robot robot = v6();
   const PoseOptions defaults;
   for (const SupportFoot foot : {SupportFoot::left, SupportFoot::right}) {
@@ -116,8 +116,8 @@ TEST_CASE("planned poses keep within limits, stand on one foot and see a board")
 }
 
 TEST_CASE("robots with unknown offsets stand in the planned poses") {
-  // Proves the default on 1000 robots per pose that the generator did not draw: 97 of 100 stand in each pose (it asks
-  // for 99 of 200 draws of its own, and selects the lucky among them), 99 of 100 on average.
+  // Proves the default on 1000 robots per pose that the generator did not draw: more than 97 % stand in each pose (it
+  // requires 99 % of its own 200 draws, a selection that favours lucky ones), and 99 % on average.
   const Robot robot = v6();
   std::mt19937_64 random{5};
   int standing = 0;
@@ -136,7 +136,7 @@ TEST_CASE("robots with unknown offsets stand in the planned poses") {
 }
 
 TEST_CASE("the same seed plans the same poses, another one others") {
-  // Proves repeatability in one program; another standard library may draw other numbers.
+  // Proves repeatability within one program; other standard libraries may draw other numbers.
   const auto first = poses(SupportFoot::right, 4, 3), again = poses(SupportFoot::right, 4, 3);
   const auto others = poses(SupportFoot::right, 5, 3);
   for (std::size_t i = 0; i < first.size(); ++i) {
@@ -146,12 +146,12 @@ TEST_CASE("the same seed plans the same poses, another one others") {
 }
 
 TEST_CASE("the information of a pose is that of its pictures") {
-  // Proves Scene::information against differences of projected corners, for offsets (both hip yaw-pitch joints by one
-  // motor), camera rotations and board placements, by the increase of a corner's squared shift: x^T I x for random x.
+  // Compares PlanningScene::information with differences of projected corners, for offsets (one motor for both hip
+  // yaw-pitch joints), camera rotations and board placements: x^T I x for random x.
   const Robot robot = v6();
   const PlannedPose pose = poses(SupportFoot::left, 1, 1).front();
   const Sole& support = supportSole(robot, SupportFoot::left);
-  const auto corners = [&](const Eigen::VectorXd& x) { // pixels of all corners in sight, the unknowns being x
+  const auto corners = [&](const Eigen::VectorXd& x) { // pixels of all visible corners, as a function of the unknowns x
     std::vector<double> pixels;
     std::vector<Board> moved = boards();
     Eigen::VectorXd angles = pose.angles;
@@ -202,7 +202,7 @@ TEST_CASE("the information of a pose is that of its pictures") {
 }
 
 TEST_CASE("the most informative pieces are picked, the better one first, none twice") {
-  // Proves the greedy choice on diagonal information, where determinants multiply up by hand.
+  // Proves the greedy selection on diagonal information, with determinants calculated by hand.
   const auto piece = [](double a, double b) { return Eigen::MatrixXd{Eigen::Vector2d{a, b}.asDiagonal()}; };
   const std::vector<Eigen::MatrixXd> pieces{piece(9, 0), piece(8, 0), piece(0, 4)};
   const Eigen::MatrixXd prior = Eigen::MatrixXd::Identity(2, 2);
@@ -211,7 +211,7 @@ TEST_CASE("the most informative pieces are picked, the better one first, none tw
 }
 
 TEST_CASE("poses are refused when boards have no place, cameras no name, or nothing is in sight") {
-  // Proves the three sentences; the last for boards behind a wall of distance, with few attempts.
+  // Proves the messages; the last one for boards out of range, with few attempts.
   const Robot robot = v6();
   PoseOptions few;
   few.maxAttempts = 2000;

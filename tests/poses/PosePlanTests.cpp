@@ -17,7 +17,7 @@ using namespace naocal;
 
 namespace {
 
-/// One plan for all that only looks at it.
+/// One plan, shared by all read-only tests.
 const PosePlan& example() {
   static const PosePlan plan = quickPlan(quickOptions(8));
   return plan;
@@ -26,8 +26,8 @@ const PosePlan& example() {
 } // namespace
 
 TEST_CASE("points of a sequence are the same wherever one begins to read it, and fill the cube") {
-  // Proves that threads may share a sequence by its parts; that even points fill every quarter of every plane equally;
-  // and that a grid visits each of its cells once.
+  // Proves that threads may start a sequence anywhere; that the even sequence fills every quadrant of every pair of
+  // adjacent dimensions equally; and that a grid visits each cell once.
   for (const SamplingMethod sampling : {SamplingMethod::even, SamplingMethod::grid}) {
     std::vector<double> whole(5), part(5);
     const auto from0 = makeSampler(sampling, 3, 5, 1000, 0), from70 = makeSampler(sampling, 3, 5, 1000, 70);
@@ -59,8 +59,8 @@ TEST_CASE("points of a sequence are the same wherever one begins to read it, and
 }
 
 TEST_CASE("candidates are the same on any number of cores, and each test only removes") {
-  // Proves it with the sequence's chunks once in one draw and once in many, and that every candidate is valid by the
-  // checks' own words: limits with margin, nothing touches, stable.
+  // Proves repeatability of two runs (the number of cores is not varied), and that every candidate satisfies the
+  // checks: no collision, balanced, robust. Limits are tested with the generator.
   const PoseOptions wanted = quickOptions(8).poses;
   const SimulationPlan plan;
   const PlanningScene scene{v6(), SupportFoot::left, plan.boards, plan.cameras, wanted.sight};
@@ -86,8 +86,8 @@ TEST_CASE("candidates are the same on any number of cores, and each test only re
 }
 
 TEST_CASE("exchange finds the best set where all sets can be tried") {
-  // Proves the selection against all 455 triples of 15 candidates, for every criterion, within 5 %: exchange is no
-  // proof of the optimum. No pose is picked twice.
+  // Compares the selection with all 455 triples of 15 candidates, for four criteria, to within 5 %: exchange does not
+  // guarantee the optimum. No pose is selected twice.
   const PoseOptions wanted = quickOptions(8).poses;
   const SimulationPlan plan;
   const PlanningScene scene{v6(), SupportFoot::left, plan.boards, plan.cameras, wanted.sight};
@@ -117,9 +117,9 @@ TEST_CASE("exchange finds the best set where all sets can be tried") {
 }
 
 TEST_CASE("predicted sigmas are the spread of calibrations with the planned poses and boards", "[slow]") {
-  // Proves the prediction against 120 simulated robots, pooled over joints (5 % is the pooled figure's own spread);
-  // benchmark_spread does so with 500, joint by joint. On both feet it promises too little: the simulated floor is
-  // perfect, while a plan takes soles to lie flat to 1 mm and 0.005 rad only.
+  // Compares the prediction with 120 simulated robots, pooled over joints (standard deviation 5 %); benchmark_spread
+  // does it with 500, joint by joint. On both feet the prediction is conservative: the simulated floor is perfect,
+  // while plans assume soles flat to 1 mm and 0.005 rad.
   for (const PosePlan& plan : {example(), quickPlan(quickOptions(8, SupportFoot::both))}) {
     double squares = 0;
     for (const auto& [joint, spread] : simulatedSpread(plan, 120)) {
@@ -132,9 +132,9 @@ TEST_CASE("predicted sigmas are the spread of calibrations with the planned pose
 }
 
 TEST_CASE("a plan's poses are in order and reached safely, and its boards lie free", "[slow]") {
-  // Proves that the way from each pose to the next is safe at a finer step and for other robots than it was planned
-  // with, for both feet (95 of 100 robots, as 200 draws are uncertain by a hundredth), and that boards lie where they
-  // may.
+  // Proves that the path from each pose to the next is safe at a finer step and for other robots than planned with, for
+  // both feet (95 of 100 robots, as 200 draws have an uncertainty of 1 %), and that boards are within 1.8 m.
+  // Overlapping boards are not tested.
   const PosePlan right = quickPlan(quickOptions(8, SupportFoot::right));
   CHECK(right.supportFoot == SupportFoot::right);
   CHECK(right.sigma.contains("RKneePitch"));
@@ -145,7 +145,7 @@ TEST_CASE("a plan's poses are in order and reached safely, and its boards lie fr
     int without = 0;
     for (std::size_t i = 1; i < plan->poses.size(); ++i) {
       if (!plan->ways[i]) {
-        ++without; // a plan says so
+        ++without; // reported in the plan
         continue;
       }
       Eigen::VectorXd last = plan->poses[i - 1].pose.angles;
@@ -164,7 +164,7 @@ TEST_CASE("a plan's poses are in order and reached safely, and its boards lie fr
 }
 
 TEST_CASE("the quickest order is that of a full search") {
-  // Proves it on 6 poses with ways missing, and that no order is found where there is none.
+  // Proves it on 6 poses with two paths missing, and that nothing is returned if no order exists.
   std::vector<std::vector<std::optional<double>>> seconds(6, std::vector<std::optional<double>>(6));
   std::mt19937_64 random{2};
   for (auto& row : seconds) {
@@ -193,7 +193,7 @@ TEST_CASE("the quickest order is that of a full search") {
 }
 
 TEST_CASE("a plan is read back from its files as it was written", "[slow]") {
-  // Proves the round trip of POSES.json and of .pose files to the last digit, and that broken ones are refused.
+  // Proves the round trip of POSES.json and .pose files to the last digit, and the refusal of damaged ones.
   const TemporaryFolder folder;
   const auto json = folder.path() / "poses.json";
   writeAtomically(json, planJson(example(), v6()).dump());
@@ -212,7 +212,7 @@ TEST_CASE("a plan is read back from its files as it was written", "[slow]") {
 }
 
 TEST_CASE("too few candidates are refused with what to do") {
-  // Proves the sentence's numbers.
+  // Proves the numbers in the message.
   PlanOptions few = quickOptions(8);
   few.poses.maxAttempts = 100;
   CHECK_THROWS_WITH(quickPlan(few),

@@ -5,7 +5,7 @@
 #include "poses/criteria/PlanOptions.hpp"
 #include "simulation/SimulationPlan.hpp"
 
-/// Options of a plan that is found in seconds.
+/// Options of a plan that takes seconds.
 inline naocal::PlanOptions quickOptions(std::size_t poses, naocal::SupportFoot foot = naocal::SupportFoot::left) {
   naocal::PlanOptions options;
   options.poses.supportFoot = foot;
@@ -19,7 +19,7 @@ inline naocal::PlanOptions quickOptions(std::size_t poses, naocal::SupportFoot f
   return options;
 }
 
-/// Among the simulator's boards.
+/// A plan with the simulator's boards.
 inline naocal::PosePlan quickPlan(const naocal::PlanOptions& options) {
   const naocal::SimulationPlan scene;
   return naocal::planPoses(naocal::v6(), scene.boards, scene.cameras, options);

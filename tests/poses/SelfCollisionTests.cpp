@@ -27,8 +27,8 @@ bool touches(const std::vector<Turn>& turns) {
 } // namespace
 
 TEST_CASE("a robot that crosses its legs, kicks its shin or bends onto its thigh touches itself") {
-  // Proves the hull against postures of which a person can tell, both ways. It is as coarse as its capsules: postures
-  // within a centimetre of touching are not judged here.
+  // Proves the hull for postures with an obvious answer, in both directions. The capsules are coarse: postures within a
+  // centimetre of contact are not tested.
   CHECK_FALSE(touches({}));
   CHECK_FALSE(touches({{"LKneePitch", 110}, {"LHipPitch", -60}, {"LAnklePitch", -50}}));
   CHECK_FALSE(touches({{"LHipRoll", 20}, {"RHipRoll", -20}}));

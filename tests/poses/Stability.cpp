@@ -11,7 +11,7 @@ using namespace naocal;
 
 namespace {
 
-/// On the left foot, the right one drawn up; `ankleRoll` [degrees] leans the whole robot.
+/// Standing on the left foot, the right one lifted; `ankleRoll` [degrees] leans the whole robot.
 ModelState onLeftFoot(const Robot& robot, double ankleRoll) {
   ModelState modelState = nominalState(robot, StateLayout{robot.joints.size(), robot.lengths.size(), 0});
   const auto set = [&](const char* joint, double angle) {
@@ -27,7 +27,7 @@ ModelState onLeftFoot(const Robot& robot, double ankleRoll) {
 } // namespace
 
 TEST_CASE("depth inside an outline is the distance to its nearest side") {
-  // Proves it on a rectangle, inside, outside and on the edge; other shapes follow from the sides being lines.
+  // Proves it on a rectangle, inside, outside and on the edge.
   const ConvexPolygon rectangle{{0, 0}, {4, 0}, {4, 2}, {0, 2}};
   CHECK(insideDepth(rectangle, {1, 1.5}) == Approx(0.5));
   CHECK(insideDepth(rectangle, {2, 2}) == Approx(0).margin(1e-15));
@@ -35,7 +35,7 @@ TEST_CASE("depth inside an outline is the distance to its nearest side") {
 }
 
 TEST_CASE("outlines are apart when a side parts them") {
-  // Proves it for triangles side by side, nested, crossing, and parted by the second one's side only.
+  // Proves it for triangles side by side, nested, overlapping, and separated by a side of the second one only.
   const ConvexPolygon triangle{{0, 0}, {2, 0}, {0, 2}};
   const auto moved = [&](double x, double y) {
     ConvexPolygon result = triangle;
@@ -55,14 +55,14 @@ TEST_CASE("outlines are apart when a side parts them") {
 }
 
 TEST_CASE("a robot stands while its centre of mass is over the sole and the other one in the air") {
-  // Proves both conditions on one attitude that leans sideways over its ankle: the straight robot on one foot falls to
-  // the other side, leaning over the foot it stands, leaning farther it falls outwards; and the foot must be lifted.
+  // Proves both conditions on one pose leaning over its ankle: upright, the robot falls inwards; leaning over the foot
+  // it stands; leaning further it falls outwards; and the other foot must be lifted.
   const Robot robot = v6();
   const auto at = [&](double ankleRoll) { return forwardKinematics(robot, onLeftFoot(robot, ankleRoll)); };
   CHECK_FALSE(isBalanced(robot, at(0), SupportFoot::left, {}));
   CHECK(isBalanced(robot, at(11), SupportFoot::left, {}));
   CHECK_FALSE(isBalanced(robot, at(25), SupportFoot::left, {}));
-  CHECK_FALSE(isBalanced(robot, at(11), SupportFoot::left, {0.06, 0})); // the sole is less than 12 cm wide
+  CHECK_FALSE(isBalanced(robot, at(11), SupportFoot::left, {0.06, 0})); // the sole is narrower than 12 cm
   CHECK_FALSE(isBalanced(robot, at(11), SupportFoot::left, {0, 0.2}));
 
   ModelState bothDown = onLeftFoot(robot, 11);
@@ -73,8 +73,8 @@ TEST_CASE("a robot stands while its centre of mass is over the sole and the othe
 }
 
 TEST_CASE("the share of robots that stand despite errors falls as the errors grow") {
-  // Proves that errors are drawn and counted: without any, all stand; with small ones all do; with large ones not even
-  // half; and that a robot that does not stand by itself never passes. It does not prove the distribution.
+  // Proves that errors are drawn and counted: without or with small errors all robots stand, with large ones less than
+  // half; a robot that is unbalanced without errors never passes. The distribution is not tested.
   const Robot robot = v6();
   std::mt19937_64 random{3};
   const auto passes = [&](double ankleRoll, double errorDegrees, double share) {
@@ -90,15 +90,15 @@ TEST_CASE("the share of robots that stand despite errors falls as the errors gro
 }
 
 TEST_CASE("a robot without soles is refused") {
-  // Proves it for a drawing without any.
+  // Proves it for a drawing without soles.
   Robot robot = v6();
   robot.soles.clear();
   CHECK_THROWS_WITH(supportSole(robot, SupportFoot::left), Catch::Contains("expected a left sole"));
 }
 
 TEST_CASE("a point is within the hull of points where it is inside their convex outline") {
-  // Proves the quick test against the outline's sides for 2000 random points and sets, and the outline itself: every
-  // point of a set lies in it, and its corners are of the set and run counter-clockwise.
+  // Compares the quick test with the outline's sides for 2000 random points and sets; also the outline: it contains
+  // every point of the set, and its corners are from the set in counter-clockwise order.
   std::mt19937_64 random{8};
   std::uniform_real_distribution<double> unit{-1, 1};
   int within = 0;
@@ -123,8 +123,8 @@ TEST_CASE("a point is within the hull of points where it is inside their convex 
 }
 
 TEST_CASE("a robot on both feet stands where its centre of mass is between them, whatever one foot alone would do") {
-  // Proves it for the straight robot, which falls from one foot, and for one whose soles are turned over both ankles:
-  // they lie on the plane between them. The soles are 155 mm long, so that no one is 80 mm inside both ends.
+  // Proves it for the upright robot, which would fall from one foot, and for one with both ankles rolled, whose soles
+  // define the floor between them. Soles are 155 mm long, so no point has a margin of 80 mm at both ends.
   const Robot robot = v6();
   const auto leaning = [&](double ankleRoll) {
     ModelState modelState = nominalState(robot, StateLayout{robot.joints.size(), robot.lengths.size(), 0});

@@ -36,7 +36,7 @@ plain::Angles anglesOf(const plain::Json& joints) {
   return angles;
 }
 
-/// Every motor off by up to 6.5 degrees; one motor drives both hip yaw-pitch joints.
+/// Adds an error of up to 6.5 degrees to every motor; one motor drives both hip yaw-pitch joints.
 plain::Angles withErrors(plain::Angles angles, std::mt19937& random) {
   std::uniform_real_distribution<double> error{-6.5 * plain::degree, 6.5 * plain::degree};
   for (auto& [name, angle] : angles) {
@@ -46,7 +46,7 @@ plain::Angles withErrors(plain::Angles angles, std::mt19937& random) {
   return angles;
 }
 
-/// How many inner corners of an A2 board (7 x 5 squares of 80 mm) a camera of 640 x 480 px has in its picture.
+/// Number of inner corners of an A2 board (7 x 5 squares of 80 mm) in the image of a camera of 640 x 480 px.
 int cornersInPicture(const plain::Json& robot, const plain::Json& pose, const plain::Json& board,
                      const std::string& camera) {
   const auto links = plain::posture(robot, anglesOf(pose["joints"]));
@@ -76,9 +76,9 @@ int cornersInPicture(const plain::Json& robot, const plain::Json& pose, const pl
 
 TEST_CASE("every pose that is written keeps to the limits, stands on its feet despite errors, and sees its boards",
           "[slow]") {
-  // Proves it for plans of both legs in turn and on both feet with kinematics, masses and pinhole written anew from the
-  // drawing's numbers: the file is all that is taken from the generator. On both feet the right sole lies flat beside
-  // the left one, 10 cm off, in every pose. That no parts touch is shown by a library (CollisionLibraryTests).
+  // Proves it for plans of both legs in turn and on both feet, with kinematics, masses and pinhole model reimplemented
+  // from the drawing: only the file is taken from the generator. On both feet the right sole is flat, 10 cm beside the
+  // left one, in every pose. Collisions are tested in CollisionLibraryTests.
   const plain::Json robot = plain::drawing("V6");
   std::mt19937 random{1};
   REQUIRE(inTurn()["poses"].size() == 16);
@@ -104,7 +104,7 @@ TEST_CASE("every pose that is written keeps to the limits, stands on its feet de
     for (int draw = 0; draw < 500; ++draw) {
       standing += plain::stands(robot, side, withErrors(angles, random)) ? 1 : 0;
     }
-    CHECK(standing >= 485); // of 99 in 100 asked for among 200 others
+    CHECK(standing >= 485); // 99 % required by the generator, on 200 other draws
     REQUIRE_FALSE(pose["observes"].empty());
     for (const plain::Json& board : file["boards"]) {
       const auto& observed = pose["observes"];
@@ -117,9 +117,9 @@ TEST_CASE("every pose that is written keeps to the limits, stands on its feet de
 }
 
 TEST_CASE("no robot as drawn falls on its way between neighbours of a plan, and few with joint errors do", "[slow]") {
-  // Proves it at 1000 random instants of the plans' ways, by the same plain robot: joints move in proportion from stop
-  // to stop. 97 of 100 robots with errors are asked for; 3 sigmas of 1000 draws less are let pass. On both feet the
-  // right sole moves by no more than 3 mm.
+  // Proves it at 1000 random times on the plans' paths, with the same plain robot: joints move proportionally between
+  // stops. The plan requires 97 % of robots with errors; three sigmas of 1000 draws below that are accepted. On both
+  // feet the right sole moves by at most 3 mm.
   const plain::Json robot = plain::drawing("V6");
   std::mt19937 random{2};
   const plain::Json& all = (GENERATE(false, true) ? onBoth() : inTurn())["poses"];
@@ -127,7 +127,7 @@ TEST_CASE("no robot as drawn falls on its way between neighbours of a plan, and 
   for (int draw = 0; draw < 1000;) {
     const std::size_t i = std::uniform_int_distribution<std::size_t>{1, all.size() - 1}(random);
     if (!all[i].contains("secondsToReach")) {
-      continue; // the other foot's first one, or one that the plan says is not reached safely
+      continue; // the first pose on the other foot, or one without a safe path
     }
     std::vector<plain::Angles> stops{anglesOf(all[i - 1]["joints"])};
     for (const plain::Json& via : all[i].value("via", plain::Json::array())) {
@@ -145,7 +145,7 @@ TEST_CASE("no robot as drawn falls on its way between neighbours of a plan, and 
     if (side == "both") {
       const auto there = plain::rightSole(robot, between), before = plain::rightSole(robot, stops.front());
       for (std::size_t corner = 0; corner < there.size(); ++corner) {
-        CHECK((there[corner] - before[corner]).norm() <= 0.0031); // between steps a little more
+        CHECK((there[corner] - before[corner]).norm() <= 0.0031); // slightly more between the planner's steps
       }
     }
     standing += plain::stands(robot, side, withErrors(between, random)) ? 1 : 0;

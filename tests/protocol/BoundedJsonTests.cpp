@@ -7,7 +7,7 @@
 namespace naocal {
 
 TEST_CASE("brackets without end are refused before they exhaust the stack") {
-  // Proves that 100 levels pass and somewhat more do not, closed or not.
+  // Proves that 100 levels are accepted and 110 are not, closed or not.
   CHECK(parseBoundedJson(R"({"a": [1, 2]})")["a"][1] == 2);
   CHECK_NOTHROW(parseBoundedJson(std::string(100, '[') + std::string(100, ']')));
   CHECK_THROWS_AS(parseBoundedJson(std::string(110, '[') + std::string(110, ']')), nlohmann::json::exception);
@@ -16,7 +16,7 @@ TEST_CASE("brackets without end are refused before they exhaust the stack") {
 }
 
 TEST_CASE("comments are read only where they are allowed") {
-  // Proves it for both kinds of comments, and that the reason of a refusal has no marks of the library.
+  // Proves it for both kinds of comments, and that the refusal's reason has no prefix of the library.
   const char* const text = "{\"a\": 1 /* one */} // end";
   CHECK(parseBoundedJson(text, true)["a"] == 1);
   try {
@@ -28,7 +28,7 @@ TEST_CASE("comments are read only where they are allowed") {
 }
 
 TEST_CASE("whatever a value holds, its text is JSON on one line") {
-  // Proves it for bytes that are not UTF-8, line breaks, and a number that JSON does not know.
+  // Proves it for invalid UTF-8, line breaks, and infinity.
   const nlohmann::json value = {{"b", "\xff\n"}, {"a", std::numeric_limits<double>::infinity()}};
   CHECK(jsonText(value) == "{\"a\":null,\"b\":\"\xef\xbf\xbd\\n\"}");
   CHECK(jsonLine(value) == jsonText(value) + "\n");

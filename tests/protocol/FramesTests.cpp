@@ -12,7 +12,7 @@ std::string headerOf(const FrameFormat& format, const std::string& frame) {
 } // namespace
 
 TEST_CASE("a frame's header has HULKs' bytes, and is understood") {
-  // Pins the bytes of both formats, written by hand from the release that Frames.hpp names.
+  // Pins the bytes of both formats, written by hand from the release named in Frames.hpp.
   using namespace std::string_literals;
   CHECK(encodeDebugFrame(DebugType::requestList, "ab") == "DMSG\x01\x03\0\0\x02\0\0\0\0\0\0\0ab"s);
   const std::string large = encodeConfigFrame(ConfigType::getKeys, std::string(0x10203, 'x'));
@@ -25,8 +25,8 @@ TEST_CASE("a frame's header has HULKs' bytes, and is understood") {
 }
 
 TEST_CASE("a header says what is wrong with it, the magic number first") {
-  // Proves each problem, that the largest body is the reader's choice, and that a type that only a newer robot knows is
-  // refused by servers alone.
+  // Proves each problem, that the reader sets the maximum size, and that unknown message types are only reported by
+  // describeProblem, as servers use it.
   const std::string good = headerOf(debugFormat, encodeFrame(debugFormat, 2, std::string(100, 'x')));
   const auto with = [&](std::size_t index, char value) {
     std::string header = good;
@@ -47,7 +47,7 @@ TEST_CASE("a header says what is wrong with it, the magic number first") {
 }
 
 TEST_CASE("an image's body is understood as it was written, and refused where it ends early") {
-  // Proves all fields, with numbers that use all of their bytes, for every shorter body too.
+  // Proves all fields, with values that use all their bytes, and every truncated header.
   const std::string body = encodeImageBody({0x0102030405060708, 640, 480, "Brain.image", "file"});
   const auto image = parseImageBody(body);
   REQUIRE(image);

@@ -24,8 +24,8 @@ inline std::string outputOf(const std::string& command) {
   return output;
 }
 
-/// The document that chromium makes of a page in a window 400 px wide, then what its scripts logged. Without chromium
-/// absent, and the test is skipped.
+/// The DOM after Chromium has loaded a page in a window 400 px wide, and the console output. Absent without Chromium;
+/// the test is then skipped.
 inline std::optional<std::string> drawnByBrowser(const std::string& page) {
   if (std::system("command -v chromium > /dev/null") != 0) {
     skip("no chromium");

@@ -6,8 +6,8 @@
 using namespace naocal;
 
 TEST_CASE("a browser draws the whole report without complaint", "[browser]") {
-  // Proves that the scripts run to their end, with hostile names too, and report no error. It does not prove that
-  // the figures are beautiful.
+  // Proves that the scripts finish without console messages, with hostile names too, and draw the expected figures.
+  // Their look is not tested.
   CalibratedFolder calibrated;
   for (nlohmann::json& observation : calibrated.result["sightings"]) {
     observation["pose"] = "<img src=x onerror=console.error('broken')>" + observation["pose"].get<std::string>();

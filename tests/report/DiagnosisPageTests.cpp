@@ -13,7 +13,7 @@ using nlohmann::json;
 
 namespace {
 
-/// A diagnosis of a simulated robot, as its file has it; made once.
+/// JSON of a simulated robot's diagnosis; created once.
 const json& diagnosed() {
   static const json file = [] {
     const Robot robot = loadRobot(configurationDirectory(), "V6");
@@ -32,8 +32,8 @@ std::string pageOf(const json& diagnosis) {
 } // namespace
 
 TEST_CASE("a page about a diagnosis shows every candidate with its numbers") {
-  // Proves that no candidate is lost or changed on the way to the page, and that angles come in degrees. It does not
-  // prove that a browser draws them.
+  // Proves that no candidate is lost or changed in the page's data, and that angles are in degrees. Drawing is tested
+  // in the browser.
   const json& file = diagnosed();
   const json data = shown(pageOf(file));
   CHECK(data["sentence"] == file["sentence"]);
@@ -62,8 +62,8 @@ TEST_CASE("a page about a diagnosis shows every candidate with its numbers") {
 }
 
 TEST_CASE("a page about a diagnosis shows each figure's numbers in units that people read") {
-  // Proves that added variables, likeness and imprints come as the file has them, per degree instead of per radian;
-  // that their numbers are right is proved where they are made.
+  // Proves that added variables, correlations and signatures are those of the file, in degrees instead of radians. The
+  // numbers themselves are tested with the diagnosis.
   const json& file = diagnosed();
   const json data = shown(pageOf(file));
   std::size_t plots = 0, imprints = 0;
@@ -99,7 +99,7 @@ TEST_CASE("a page about a diagnosis shows each figure's numbers in units that pe
 }
 
 TEST_CASE("only drivers that were recorded and varied are offered") {
-  // Proves the list that the page offers, with the values of every picture; readings without temperatures offer none.
+  // Proves the list of drivers with a value per picture; without temperatures and approaches, neither is offered.
   const json& file = diagnosed();
   const json data = shown(pageOf(file));
   REQUIRE(data["drivers"].size() > 10);
@@ -131,8 +131,8 @@ TEST_CASE("only drivers that were recorded and varied are offered") {
 }
 
 TEST_CASE("a page says in words which candidates the captures cannot tell apart") {
-  // Proves the sentence for each of the three cases: something cannot be told, something was told from all others,
-  // nothing was found.
+  // Proves the sentence for the three cases: indistinguishable from another, distinguished from all others, nothing
+  // found.
   json file = diagnosed();
   file["aliases"] = {{"candidates", {"elasticity@LKneePitch", "encoderGain@LKneePitch"}},
                      {"correlations", {{1, 0.97}, {0.97, 1}}},
@@ -151,7 +151,7 @@ TEST_CASE("a page says in words which candidates the captures cannot tell apart"
 }
 
 TEST_CASE("a diagnosis file from before its figures were written still has a page") {
-  // Proves that every further key may be absent.
+  // Proves that every newer key is optional.
   json file = diagnosed();
   for (const char* key : {"poses", "pictures", "cameras", "aliases", "recorded", "left"}) {
     file.erase(key);
@@ -164,8 +164,8 @@ TEST_CASE("a diagnosis file from before its figures were written still has a pag
 }
 
 TEST_CASE("the expression that a page proposes is a model that can be calibrated") {
-  // Proves that the text to copy is accepted as a model file is, with the effects that the curve is left beside; that
-  // it describes the curve is the diagnosis's matter.
+  // Proves that the text to copy is a valid model file and includes the suggested effects. That it describes the curve
+  // is tested with the diagnosis.
   const Robot robot = loadRobot(configurationDirectory(), "V6");
   json file = diagnosed();
   file["suggested"] = {"focalLength@top"};
@@ -199,7 +199,7 @@ TEST_CASE("a diagnosis of captures that cannot be fitted still has a page") {
 }
 
 TEST_CASE("a broken diagnosis file is refused with one sentence", "[slow]") {
-  // Proves that the sentence names the place for a choice of broken files.
+  // Proves the place in the message for a selection of faults.
   const auto refusal = [](const std::string& pointer, const json& value) {
     json file = diagnosed();
     file[json::json_pointer{pointer}] = value;
@@ -228,8 +228,8 @@ TEST_CASE("a broken diagnosis file is refused with one sentence", "[slow]") {
 }
 
 TEST_CASE("a browser draws the whole diagnosis without complaint", "[browser]") {
-  // Proves that the scripts run to their end, with hostile names too, and that the page holds nothing that loads from
-  // elsewhere. It does not prove that the figures are beautiful.
+  // Proves that the scripts finish without console messages, with hostile names too, and that the page loads nothing
+  // from elsewhere. The figures' look is not tested.
   json file = diagnosed();
   file["verdict"] = "unknown-effect";
   file["ranking"][1]["at"] = "<img src=x onerror=console.error('broken')>";
@@ -244,16 +244,16 @@ TEST_CASE("a browser draws the whole diagnosis without complaint", "[browser]") 
     return;
   }
   CHECK_THAT(*output, Catch::Contains("Something that no known effect explains is at work.</h1>"));
-  CHECK(occurrences(*output, "<canvas") ==
-        4 + 1 + 2 + 1 + 3 + 1 + 2 + 1 + 4); // added variables, aliases, imprint, map, curves, what if, within, boards
-  CHECK(occurrences(*output, "<textarea") >= 1); // of the curve that tells something
-  CHECK(occurrences(*output, "<tr>") == 1 + 12); // the head and the first candidates
+  // added variables, aliases, signature, map, curves, joint errors, residual fields and distance, boards
+  CHECK(occurrences(*output, "<canvas") == 4 + 1 + 2 + 1 + 3 + 1 + 2 + 1 + 4);
+  CHECK(occurrences(*output, "<textarea") >= 1); // of the significant curve
+  CHECK(occurrences(*output, "<tr>") == 1 + 12); // header and first candidates
   CHECK(occurrences(*output, "CONSOLE") == 0);
 }
 
 TEST_CASE("a page about a diagnosis draws curves of mounts, of boards and of lenses, which have no expression") {
-  // Proves that such a finding, wherever it stands, is no reason to refuse the file, and that its numbers come in the
-  // unit that people read; nor is it one that no further poses would tell more.
+  // Proves that such a curve does not cause a refusal, that its values are in display units, and that an empty proposal
+  // is not shown.
   json file = diagnosed();
   file["next"] = {{"poses", json::array()}, {"why", ""}};
   const auto [unit, shownUnit, scale] = GENERATE(

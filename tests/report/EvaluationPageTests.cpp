@@ -10,7 +10,7 @@ using nlohmann::json;
 
 namespace {
 
-/// An evaluation of one setting by two solvers, as its file has it.
+/// JSON of an evaluation of one setting with two solvers.
 json evaluation() {
   json cell{{"table", "5.7"},
             {"feature", "boards"},
@@ -48,8 +48,8 @@ std::string evaluationPage(const json& file) {
 } // namespace
 
 TEST_CASE("a page about an evaluation shows every solver's success and errors") {
-  // Proves that figures come to the page unchanged and sorted by tolerance, solvers of a setting together. It does not
-  // prove what is drawn.
+  // Proves that values are unchanged, sorted by tolerance, and that solvers of a setting are grouped. Drawing is tested
+  // below.
   const json data = shown(evaluationPage(evaluation()));
   CHECK(data["tolerances"] == json{0.1, 0.2, 1.0});
   REQUIRE(data["tables"].size() == 1);
@@ -69,7 +69,7 @@ TEST_CASE("a page about an evaluation shows every solver's success and errors") 
 }
 
 TEST_CASE("a browser draws the page about an evaluation without complaint", "[browser]") {
-  // Proves, where chromium is installed, that both groups of figures are there and no script fails.
+  // Proves, with Chromium installed, that both groups of figures exist and no script fails.
   const auto drawn = drawnByBrowser(evaluationPage(evaluation()));
   if (!drawn) {
     return;

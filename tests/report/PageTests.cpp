@@ -12,7 +12,7 @@ using nlohmann::json;
 
 namespace {
 
-/// An address with its %XX as letters.
+/// Decodes the %XX of an address.
 std::string withoutEscapes(const std::string& address) {
   std::string text;
   for (std::size_t i = 0; i < address.size(); ++i) {
@@ -29,8 +29,8 @@ std::string withoutEscapes(const std::string& address) {
 } // namespace
 
 TEST_CASE("a report shows every corner of every picture as the result has it") {
-  // Proves that no corner is lost, doubled or moved on the way to the page, in either way of showing errors. It does
-  // not prove that a browser draws them.
+  // Proves that no corner is lost, duplicated or moved in the page's data, for both kinds of errors. Drawing is tested
+  // in the browser.
   const CalibratedFolder calibrated;
   const json pictures = shown(calibrated.page())["pictures"];
   std::map<std::tuple<int, std::string, int>, std::pair<json, std::size_t>> corners;
@@ -60,7 +60,7 @@ TEST_CASE("a report shows every corner of every picture as the result has it") {
 }
 
 TEST_CASE("a report's pictures come worst first") {
-  // Proves the order in which pictures are offered, and photographs kept.
+  // Proves the order of pictures, by which photographs are kept.
   const CalibratedFolder calibrated;
   double last = 1e9;
   const json page = shown(calibrated.page());
@@ -78,8 +78,7 @@ TEST_CASE("a report's pictures come worst first") {
 }
 
 TEST_CASE("estimates are shown in degrees and millimetres with their standard error and 95 percent interval") {
-  // Proves units, errors and intervals of joint offsets and camera rotations; units that stay as they are need no
-  // proof.
+  // Proves units, errors and intervals of joint offsets; of camera rotations only the order is tested.
   const CalibratedFolder calibrated;
   const json groups = shown(calibrated.page())["groups"];
   REQUIRE(groups.size() == 2);
@@ -88,7 +87,7 @@ TEST_CASE("estimates are shown in degrees and millimetres with their standard er
   const json& unknown = calibrated.result["effects"][0]["unknowns"]["o"];
   const json& row = groups[0]["rows"][0];
   CHECK(row["name"] == calibrated.result["effects"][0]["at"]);
-  const json& answer = unknown["averaged"]; // over what could be missing
+  const json& answer = unknown["averaged"]; // averaged over possibly missing effects
   CHECK(row["value"].get<double>() == Approx(degrees(answer["value"].get<double>())));
   CHECK(row["sigma"].get<double>() == Approx(degrees(answer["sigma"].get<double>())));
   CHECK(row["low"].get<double>() == Approx(degrees(answer["interval"][0].get<double>())));
@@ -98,7 +97,7 @@ TEST_CASE("estimates are shown in degrees and millimetres with their standard er
 }
 
 TEST_CASE("the verdict is said in plain words") {
-  // Proves which words stand for which numbers; whether the numbers are right is the calibration's matter.
+  // Proves the sentences for given numbers; the numbers are tested with the calibration.
   CalibratedFolder calibrated;
   const auto misfit = [&] { return shown(calibrated.page())["facts"][2]["sentence"].get<std::string>(); };
   calibrated.result["sentence"] = "Usable, but a cause is missing: the error is 2 px: too much.";
@@ -113,20 +112,20 @@ TEST_CASE("the verdict is said in plain words") {
 }
 
 TEST_CASE("a report loads nothing from elsewhere") {
-  // Proves that no part of the page names another place, and that the page forbids browsers to load anything.
+  // Proves that the page contains no external reference, and that its policy forbids loading.
   const std::string page = CalibratedFolder{}.page();
   for (const std::string reference : {"http:", "https:", "//www", "<link", "url(", "src="}) {
     INFO(reference);
     CHECK(occurrences(page, reference) == 0);
   }
   CHECK(occurrences(page, "@import") ==
-        occurrences(page, "@import {")); // of types, in comments; style sheets' have no {
+        occurrences(page, "@import {")); // type imports in comments; those of style sheets have no {
   CHECK(occurrences(page, "default-src 'none'") == 1);
 }
 
 TEST_CASE("a page carries its scripts as their files have them") {
-  // Proves that the import map holds every script of web/, letter by letter but for its name at the end, and an entry
-  // for each that another one imports. That they run is the browser tests' matter.
+  // Proves that the import map contains every script of web/ unchanged, with its name appended, and an entry for each
+  // import. Browser tests run them.
   const std::string page = CalibratedFolder{}.page(), before = "<script type=\"importmap\">";
   const std::size_t start = page.find(before) + before.size();
   const json imports = json::parse(page.substr(start, page.find("</script>", start) - start))["imports"];
@@ -148,14 +147,14 @@ TEST_CASE("a page carries its scripts as their files have them") {
     for (std::size_t at = source.find(from); at != source.npos; at = source.find(from, at + 1)) {
       const std::size_t first = at + from.size();
       const std::string imported = source.substr(first, source.find('"', first) - first);
-      CHECK((imports.contains(imported) || imported == "naocal/lib/types.js")); // types alone, in comments
+      CHECK((imports.contains(imported) || imported == "naocal/lib/types.js")); // type imports, in comments
     }
   }
 }
 
 TEST_CASE("names cannot become part of the page's code") {
-  // Proves that a board's or pose's name ends no script and fills no place of the frame; that scripts put names into
-  // the page as text only is proved by there being no innerHTML.
+  // Proves that names of boards and poses can neither end a script nor fill a placeholder of the frame; that scripts
+  // insert names as text is inferred from the absence of innerHTML.
   CalibratedFolder calibrated;
   const std::string harmless = calibrated.page();
   const std::string name = "</script><script>alert('{{style}}')</script><!-- \" \\ \xff";
@@ -174,7 +173,7 @@ TEST_CASE("names cannot become part of the page's code") {
 }
 
 TEST_CASE("a broken result file is refused with one sentence") {
-  // Proves that the sentence names the file and the place for a choice of broken files.
+  // Proves file and place in the message for a selection of faults.
   CalibratedFolder calibrated;
   const json good = calibrated.result;
   const auto refusal = [&](const std::string& pointer, const json& value) {

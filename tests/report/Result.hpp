@@ -15,10 +15,10 @@
 
 namespace naocal {
 
-/// A simulated robot's captures and the result of calibrating with them, on disk as a user has them.
+/// Captures of a simulated robot and their calibration result, in a temporary folder.
 class CalibratedFolder {
 public:
-  /// Every picture is kept as `image` when that is given.
+  /// `image`: image path of all captures; empty: none.
   explicit CalibratedFolder(const std::string& image = "") {
     const Robot robot = loadRobot(configurationDirectory(), "V6");
     CaptureSet set = simulate(robot, handMadePlan(robot), 7).set;
@@ -37,7 +37,7 @@ public:
   std::filesystem::path captures() const { return folder_.path() / "captures"; }
   std::filesystem::path resultFile() const { return folder_.path() / "result.json"; }
 
-  /// The page about the result as it is now.
+  /// The page of the present result.
   std::string page() const {
     writeAtomically(resultFile(), result.dump());
     return renderReport(resultFile());
@@ -49,7 +49,7 @@ private:
   TemporaryFolder folder_;
 };
 
-/// What a page gives its scripts to show.
+/// Data embedded in a page.
 inline nlohmann::json shown(const std::string& page) {
   const std::string before = "<script type=\"application/json\" id=\"data\">";
   const std::size_t start = page.find(before) + before.size();

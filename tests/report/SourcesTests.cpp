@@ -26,7 +26,7 @@ bool hasPhotograph(const json& picture) {
 } // namespace
 
 TEST_CASE("joint angles in a report are those of the captures") {
-  // Proves that every picture gets its own capture's readings, in degrees.
+  // Proves that every picture has the readings of its capture, in degrees.
   const CalibratedFolder calibrated;
   const CaptureSet set = readCaptureSet(calibrated.captures()).set;
   const json data = shown(calibrated.page());
@@ -42,7 +42,7 @@ TEST_CASE("joint angles in a report are those of the captures") {
 }
 
 TEST_CASE("a report says how far the drawing alone is off where the captures are still there") {
-  // Proves that the comparison is made and looks better after the calibration than before.
+  // Proves that the comparison with the drawing is shown while captures are available, and that its error is larger.
   const CalibratedFolder calibrated;
   const auto figure = [&] { return shown(calibrated.page())["facts"][0]["figure"].get<std::string>(); };
   CHECK(std::stod(figure()) > 5 * calibrated.result["rmsPx"].get<double>());
@@ -52,7 +52,7 @@ TEST_CASE("a report says how far the drawing alone is off where the captures are
 }
 
 TEST_CASE("a report is made without the captures and says that they are gone") {
-  // Proves that everything the result file holds is shown without angles and photographs.
+  // Proves that all content of the result file is shown, without angles and photographs.
   const CalibratedFolder calibrated{"images/one.png"};
   writeNoise(calibrated.captures() / "images/one.png", 64, 48);
   const json before = shown(calibrated.page());
@@ -68,7 +68,7 @@ TEST_CASE("a report is made without the captures and says that they are gone") {
 }
 
 TEST_CASE("angles and photographs of captures that have changed are not shown") {
-  // Proves that a report never mixes a result with other captures, such as another folder of the same name.
+  // Proves that a result is never combined with modified captures.
   const CalibratedFolder calibrated{"images/one.png"};
   writeNoise(calibrated.captures() / "images/one.png", 64, 48);
   CaptureSet set = readCaptureSet(calibrated.captures()).set;
@@ -81,28 +81,29 @@ TEST_CASE("angles and photographs of captures that have changed are not shown") 
 }
 
 TEST_CASE("captures are also looked for beside the result file") {
-  // Proves that a folder that was copied as a whole still gives a whole report.
+  // Proves that a copied folder still gives a complete report.
   CalibratedFolder calibrated;
   calibrated.result["inputs"]["sets"] = json::array({"captures"});
   CHECK(shown(calibrated.page())["missing"].empty());
 }
 
 TEST_CASE("photographs are embedded, made smaller, and none where there is no picture") {
-  // Proves the data URI by reading it back as a browser would; its base64 by the picture's own size.
+  // Proves the data URI's header, JPEG signature and base64 padding, and that missing and invalid images give none. The
+  // reduced size is not tested.
   const CalibratedFolder calibrated{"images/large.png"};
   CHECK_FALSE(hasPhotograph(shown(calibrated.page())["pictures"][0]));
   writeNoise(calibrated.captures() / "images/large.png", 1280, 960);
   const std::string photograph = shown(calibrated.page())["pictures"][0]["photograph"];
   const std::string head = "data:image/jpeg;base64,";
   REQUIRE(photograph.starts_with(head));
-  CHECK(photograph.substr(head.size(), 4) == "/9j/"); // FF D8 FF, with which every JPEG begins
+  CHECK(photograph.substr(head.size(), 4) == "/9j/"); // FF D8 FF, the start of every JPEG
   CHECK((photograph.size() - head.size()) % 4 == 0);
   writeAtomically(calibrated.captures() / "images/large.png", "this is no picture");
   CHECK_FALSE(hasPhotograph(shown(calibrated.page())["pictures"][0]));
 }
 
 TEST_CASE("a picture outside the set's folder is left where it is") {
-  // Proves that somebody else's result file cannot take private pictures into a page that is passed on.
+  // Proves that a foreign result file cannot embed private images into a page.
   CalibratedFolder calibrated;
   writeNoise(calibrated.captures() / ".." / "private.png", 64, 48);
   const std::string outside = (calibrated.captures() / ".." / "private.png").string();
@@ -115,7 +116,7 @@ TEST_CASE("a picture outside the set's folder is left where it is") {
 }
 
 TEST_CASE("a report stays small however many photographs there are") {
-  // Proves the bound with pictures that cannot be compressed: the worst are kept, the page stays below 4 MB.
+  // Proves the limit with incompressible images: the worst picture's photograph is kept, the page stays below 4 MB.
   const CalibratedFolder calibrated{"images/noise.png"};
   writeNoise(calibrated.captures() / "images/noise.png", 640, 480);
   const std::string page = calibrated.page();

@@ -1,13 +1,13 @@
-// Uses the pages of a result and of a diagnosis in a real browser, as files: choices, pages of pictures, clicks on points.
-// Proves that each changes what it should and that no script complains; not that the figures are right.
-// Usage: node pages.mjs NAOCAL NODE_MODULES; not run (77) without chromium or npm's packages
+// Uses the pages of a result and a diagnosis as files in a real browser: selects, paging of pictures, clicks on points.
+// Proves that each control has its effect and that the console stays silent; figures are not validated.
+// Usage: node pages.mjs NAOCAL NODE_MODULES; skipped (77) without Chromium or npm's packages
 import {spawnSync} from "node:child_process";
 import {join} from "node:path";
 import {tools, check, happens, folder, quietPage, end} from "../mate-bridge/browser.mjs";
 
 const [, , naocal, modules] = process.argv;
 const {launch} = tools(modules), here = folder();
-const run = (...words) => check([0, 3].includes(spawnSync(naocal, words, {stdio: ["ignore", "ignore", "inherit"]}).status), "naocal " + words[0]); // 3: done, with a bad verdict
+const run = (...words) => check([0, 3].includes(spawnSync(naocal, words, {stdio: ["ignore", "ignore", "inherit"]}).status), "naocal " + words[0]); // 3: completed with a negative verdict
 run("simulate", join(here, "flawed"), "--hidden-flaw", "--poses", "12", "--samples", "2", "--seed", "1");
 run("solve", join(here, "flawed"), "-o", join(here, "result.json"));
 run("diagnose", join(here, "flawed"), "--json", join(here, "diagnosis.json"), "--seed", "1", "--draws", "19");
@@ -35,7 +35,7 @@ await joints.scrollIntoViewIfNeeded();
 await choose(joints, other);
 check(await result.getByRole("img", {name: "mean errors over a joint's angle, down"}).count() === 1, "errors are drawn over another joint: " + other);
 
-// A click on a point brings its picture into view.
+// Clicking a point scrolls to its picture.
 const poses = result.getByRole("img", {name: "errors by pose"});
 await poses.evaluate(canvas => canvas.scrollIntoView({block: "start"}));
 const seesPictures = () => result.evaluate(() => document.getElementById("pictures").getBoundingClientRect().bottom > 0);

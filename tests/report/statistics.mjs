@@ -1,4 +1,4 @@
-// Proves what means over bins are, by cases that can be reckoned by hand. It needs node alone.
+// Proves binned means and number formats on cases calculated by hand. Requires only Node.js.
 import assert from "node:assert/strict";
 import {binnedMeans, mean, quantile, rms, trendStrength} from "../../src/modules/report/web/lib/statistics.js";
 import {detectableWords, sizeWords, stateName, withError} from "../../src/modules/report/web/lib/format.js";
@@ -10,28 +10,28 @@ near(rms([3, 4]), Math.sqrt(12.5));
 assert.equal(quantile([5, 1, 3], 0.5), 3);
 assert.equal(quantile([], 0.5), 0);
 
-// Few values of x: each is a bin, and its error is the spread over the root of the count.
+// Few values of x: each is a bin; error = standard deviation / sqrt(count).
 const two = binnedMeans([[0, 1], [0, 3], [1, 5], [1, 5], [1, 8]].map(([x, y], i) => ({x, y, i})), {groupOf: ({i}) => i});
 assert.deepEqual(two.map(({x, y}) => [x, y]), [[0, 2], [1, 6]]);
 near(two[0].error, Math.SQRT2 / Math.sqrt(2));
 near(two[1].error, Math.sqrt(3) / Math.sqrt(3));
 
-// Points of one group are not independent: repeated ten times they say no more.
+// Points of one group are not independent: repeating them ten times changes nothing.
 const points = [[0, 1], [0, 3], [0, 5]].map(([x, y], i) => ({x, y, i}));
 const repeated = binnedMeans(points.flatMap(point => new Array(10).fill(point)), {groupOf: ({i}) => i});
 assert.deepEqual(repeated, binnedMeans(points, {groupOf: ({i}) => i}));
 
-// With places a group counts again where x has changed.
+// With `places`, a group counts once per part of the range of x.
 const moved = [0, 0, 1, 1].map((x, i) => ({x, y: i, pose: "P"}));
 assert.equal(binnedMeans(moved, {groupOf: ({pose}) => pose}).length, 0);
 assert.equal(binnedMeans([...moved, ...moved.map(point => ({...point, y: point.y + 1, pose: "Q"}))], {groupOf: ({pose}) => pose, places: 10}).length, 2);
 
-// Sigmas weigh, and are the least that an error can be.
+// Sigmas are weights, and the lower limit of the error.
 const weighted = binnedMeans([{x: 0, y: 0, sigma: 1, i: 0}, {x: 0, y: 0.3, sigma: 0.5, i: 1}], {groupOf: ({i}) => i});
 near(weighted[0].y, 0.24);
 near(weighted[0].error, Math.sqrt(1 / 5));
 
-// Many values: as many bins as `most`, each with as many groups.
+// Many values: `most` bins with equal numbers of groups.
 const many = Array.from({length: 200}, (_, i) => ({x: i, y: i % 2, i}));
 assert.equal(binnedMeans(many, {groupOf: ({i}) => i, most: 8}).length, 8);
 near(trendStrength([{y: 3, error: 1}, {y: 4, error: 1}]), Math.sqrt(12.5));

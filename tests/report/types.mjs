@@ -1,6 +1,6 @@
-// Proves that the scripts of report and panel fit together: TypeScript's checker reads their JSDoc types.
-// It does not prove that the pages' data have the types that lib/types.d.ts gives them.
-// Usage: node types.mjs WEB PANEL NODE_MODULES FOLDER; not run (77) without npm's packages
+// Type-checks the scripts of report and panel with TypeScript, by their JSDoc types.
+// Does not prove that the pages' data have the types declared in lib/types.d.ts.
+// Usage: node types.mjs WEB PANEL NODE_MODULES FOLDER; skipped (77) without npm's packages
 import {spawnSync} from "node:child_process";
 import {existsSync, mkdirSync, writeFileSync} from "node:fs";
 import {join} from "node:path";
@@ -11,7 +11,7 @@ if (!existsSync(checker)) {
   process.exit(77);
 }
 
-// The panel's packages lie in the build folder, where its sources do not look for them.
+// Paths to the panel's packages, which are in the build folder.
 mkdirSync(folder, {recursive: true});
 const project = join(folder, "tsconfig.json"), of = name => [join(modules, name)];
 writeFileSync(project, JSON.stringify({

@@ -25,7 +25,7 @@ double distance(const RigidTransform& a, const RigidTransform& b) {
   return (a.rotation - b.rotation).norm() + (a.translation - b.translation).norm();
 }
 
-/// The robot with each hanging arm as one mass at a position rounded to a micrometre, as the simulator has it.
+/// The robot with each hanging arm as one mass at a position rounded to a micrometre, as in the simulator.
 Robot withLumpedArms(Robot robot) {
   Eigen::VectorXd resting(static_cast<Eigen::Index>(robot.joints.size()));
   for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
@@ -53,10 +53,10 @@ Robot withLumpedArms(Robot robot) {
 } // namespace
 
 TEST_CASE("transforms, centres of mass and torques agree with an independent simulator to 1e-9") {
-  // Proves that frames, signs and the V6 drawing's numbers for legs, head and masses are the contract's: twelve random
-  // attitudes on either foot. Of the two centres of mass that sources give for the head of V6 the simulator has the one
-  // that NaoV6.json takes; the other is off by up to 0.03 Nm. The simulator's arms are one hanging mass each, rounded
-  // to a micrometre (worth 3e-6 Nm); that rounding is repeated here. Does not test the joints of the arms.
+  // Proves that frames, signs and the V6 drawing's numbers for legs, head and masses agree with the contract, for
+  // twelve random poses on either foot. Sources give two centres of mass for V6's head; the simulator uses that of
+  // NaoV6.json, the other one would differ by up to 0.03 Nm. The simulator's arms are one hanging mass each, rounded to
+  // a micrometre (worth 3e-6 Nm), which is repeated here. Arm joints are not covered.
   const auto file = sharedData("conformance/kinematics.json");
   if (!file) {
     return;

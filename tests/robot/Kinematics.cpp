@@ -11,7 +11,7 @@ using namespace naocal;
 
 namespace {
 
-/// The robot's posture with all angles zero but the given ones [degrees].
+/// Forward kinematics with all angles zero except the given ones [degrees].
 LinkPoses postureAt(const Robot& robot, const std::vector<std::pair<std::string, double>>& angles) {
   Eigen::VectorXd all = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(robot.joints.size()));
   for (const auto& [joint, angle] : angles) {
@@ -28,8 +28,8 @@ void checkPoint(const Eigen::Vector3d& found, const Eigen::Vector3d& expected) {
 } // namespace
 
 TEST_CASE("the zero pose has the heights of the drawing's sums") {
-  // Proves lengths and signs of the straight robot. Origin of the numbers: 85 + 100 + 102.9 + 45.19 = 333.09 mm from
-  // torso to sole; + 126.5 + 63.64 = 523.23 mm to the top camera; arms level, forward.
+  // Proves lengths and signs for the straight robot: 85 + 100 + 102.9 + 45.19 = 333.09 mm from torso to sole; + 126.5 +
+  // 63.64 = 523.23 mm to the top camera; arms horizontal, forward.
   const Robot robot = v6();
   const LinkPoses torsoFromLink = postureAt(robot, {});
   for (const RigidTransform& link : torsoFromLink) {
@@ -45,8 +45,8 @@ TEST_CASE("the zero pose has the heights of the drawing's sums") {
 }
 
 TEST_CASE("a right angle at one joint puts the links beyond it where geometry says") {
-  // Proves axis and sign of every kind of joint of the drawing, each by a case that can be followed on a sheet of paper
-  // (right-handed about axes x forward, y left, z up; positive pitch turns x down, that is bends forward).
+  // Proves axis and sign of every kind of joint by cases that can be verified on paper (right-handed about x forward, y
+  // left, z up; positive pitch bends forward).
   const Robot robot = v6();
   const auto origin = [&](const char* link, const std::vector<std::pair<std::string, double>>& angles) {
     return postureAt(robot, angles)[*robot.linkIndex(link)].translation;
@@ -68,7 +68,7 @@ TEST_CASE("a right angle at one joint puts the links beyond it where geometry sa
 }
 
 TEST_CASE("both feet turn outwards for negative hip yaw-pitch") {
-  // Proves the sign that the one motor shares; the source is HULKs' and the manufacturer's description.
+  // Proves the sign of the shared motor; source: descriptions of HULKs and the manufacturer.
   const Robot robot = v6();
   const LinkPoses torsoFromLink = postureAt(robot, {{"LHipYawPitch", -30}, {"RHipYawPitch", -30}});
   CHECK(torsoFromLink[*robot.linkIndex("LSole")].rotation(1, 0) > 0.1);
@@ -76,8 +76,8 @@ TEST_CASE("both feet turn outwards for negative hip yaw-pitch") {
 }
 
 TEST_CASE("a robot that is no NAO runs through the same code") {
-  // Proves that the kinematics knows no name of a NAO's: a made-up arm with one joint, one length and one camera, whose
-  // picture's axes are worked out by hand.
+  // Proves that the kinematics depends on no name of a NAO: an invented arm with one joint, one length and one camera,
+  // whose image axes are derived by hand.
   const TemporaryFolder folder;
   writeAtomically(folder.path() / "crane.json", R"({
     "format": "naocal-drawing", "version": 1, "model": "crane",
@@ -95,6 +95,6 @@ TEST_CASE("a robot that is no NAO runs through the same code") {
   const LinkPoses baseFromLink = forwardKinematics(crane, modelState);
   const RigidTransform baseFromOptical = baseFromLink[1] * linkFromOptical(crane.cameras[0], modelState);
   checkPoint(baseFromOptical.translation, {0.1, 0.5, 2.5});
-  checkPoint(baseFromOptical.rotation.col(2), {0, 0, -1}); // it looks down,
-  checkPoint(baseFromOptical.rotation.col(0), {1, 0, 0});  // its picture's right is the base's forward
+  checkPoint(baseFromOptical.rotation.col(2), {0, 0, -1}); // looks down;
+  checkPoint(baseFromOptical.rotation.col(0), {1, 0, 0});  // image right = forward of the base
 }

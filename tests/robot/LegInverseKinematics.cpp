@@ -19,7 +19,7 @@ RigidTransform torsoFromSole(const Robot& robot, const LegKinematics& leg, const
   return forwardKinematics(robot, all)[robot.findSole(side)->link];
 }
 
-/// Angles within the joints' limits, the knee bent backwards.
+/// Angles within the joints' limits, with the knee bent backwards.
 LegAngles randomAngles(const Robot& robot, const LegKinematics& leg, std::mt19937& random) {
   LegAngles angles{};
   for (std::size_t i = 0; i < angles.size(); ++i) {
@@ -33,9 +33,9 @@ LegAngles randomAngles(const Robot& robot, const LegKinematics& leg, std::mt1993
 } // namespace
 
 TEST_CASE("six leg angles reach every pose that the leg can take, and are the ones that made it") {
-  // Proves six angles against the forward kinematics on 4000 poses within the joints' limits. Angles are compared to
-  // 1e-6 only: near the straight knee they answer a reach's round-off with its square root. Knees bent the wrong way
-  // are never chosen and not tested.
+  // Compares six angles with the forward kinematics on 4000 poses within the joints' limits. Angles are compared to
+  // 1e-6 only: near the straight knee they depend on the square root of round-off in distance. Knees bent forwards are
+  // never returned and not tested.
   const Robot robot = v6();
   std::mt19937 random{11};
   for (const char* side : {"left", "right"}) {
@@ -56,8 +56,8 @@ TEST_CASE("six leg angles reach every pose that the leg can take, and are the on
 }
 
 TEST_CASE("five leg angles reach the sole's place and its upright for any given hip yaw-pitch") {
-  // Proves it against the forward kinematics on 4000 pairs of a pose made with one hip yaw-pitch and solved for another
-  // one, wherever that is in reach; and that for the same one the pose is reached with its yaw.
+  // Compares with the forward kinematics on 4000 poses made with one hip yaw-pitch and solved for another one; for the
+  // same one, the full orientation is reached.
   const Robot robot = v6();
   std::mt19937 random{12};
   for (const char* side : {"left", "right"}) {
@@ -78,13 +78,13 @@ TEST_CASE("five leg angles reach the sole's place and its upright for any given 
         CHECK((there.rotation.col(2) - wanted.rotation.col(2)).norm() < 1e-9);
       }
     }
-    CHECK(reached == 2000); // hip yaw-pitch turns about the hip: what one angle reaches in distance, all do
+    CHECK(reached == 2000); // hip yaw-pitch rotates about the hip: reach does not depend on it
   }
 }
 
 TEST_CASE("a sole out of the leg's reach has no angles") {
-  // Proves both ends of the reach, just beyond and just within them: the straight leg, and the ankle drawn to the hip
-  // as near as thigh and tibia (2.9 mm of difference) allow.
+  // Proves both ends of the reach, just inside and just outside: the straight leg, and the ankle as close to the hip as
+  // thigh and tibia (2.9 mm difference) permit.
   const Robot robot = v6();
   const LegKinematics leg{robot, "left"};
   const auto at = [](double depth) {
@@ -99,7 +99,7 @@ TEST_CASE("a sole out of the leg's reach has no angles") {
 }
 
 TEST_CASE("a leg of another build is refused") {
-  // Proves it for a missing side, a turned axis and a missing joint; not for every way a leg may differ.
+  // Proves it for a missing side, a different axis and a missing joint; other differences are not covered.
   Robot robot = v6();
   CHECK_THROWS_WITH((LegKinematics{robot, "middle"}), Catch::Contains("middle leg: expected a sole of that name"));
   robot.joints[*robot.jointIndex("LKneePitch")].axis = Eigen::Vector3d::UnitX();

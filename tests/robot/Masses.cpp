@@ -17,7 +17,7 @@ ModelState randomBelief(const Robot& robot, std::mt19937& random) {
   return modelState;
 }
 
-/// U [J] with `heldLink` held still: the weight times the centre of mass's height over it.
+/// Potential U [J] with `heldLink` fixed: weight times height of the centre of mass above it.
 double potential(const Robot& robot, const ModelState& modelState, std::size_t heldLink,
                  const Eigen::Vector3d& upInHeld) {
   const LinkPoses torsoFromLink = forwardKinematics(robot, modelState);
@@ -28,13 +28,12 @@ double potential(const Robot& robot, const ModelState& modelState, std::size_t h
 } // namespace
 
 TEST_CASE("a gravity torque is the slope of the potential, whichever link is held") {
-  // Proves tau = -dU/dq for every motor, in random attitudes with a random direction of gravity, with the root, either
-  // sole and a hand held, against a central difference that moves all joints of a motor together. Does not prove the
-  // masses' numbers.
+  // Proves tau = -dU/dq for every motor, for random poses and directions of gravity, with the root, either sole and a
+  // hand fixed, against central differences that move all joints of a motor. The masses' values are not tested.
   const Robot robot = v6();
   std::mt19937 random{7};
   std::normal_distribution<double> normal;
-  constexpr double step = 1e-5; // [rad]; the difference's own error is about step^2 * torque = 1e-9 Nm
+  constexpr double step = 1e-5; // [rad]; error of the difference: about step^2 * torque = 1e-9 Nm
   for (const char* held : {"Torso", "LSole", "RSole", "LWrist"}) {
     const std::size_t heldLink = *robot.linkIndex(held);
     for (int attitude = 0; attitude < 20; ++attitude) {
@@ -61,8 +60,8 @@ TEST_CASE("a gravity torque is the slope of the potential, whichever link is hel
 }
 
 TEST_CASE("the centre of mass of the standing robot lies in its middle plane") {
-  // Proves that left and right masses mirror each other in V6's drawing, and that all of them are counted (their sum is
-  // HULKs' own). Where in the middle plane the centre lies is proved by the agreement with the independent simulator.
+  // Proves that left and right masses of V6's drawing are symmetric, and that all are counted (their sum is HULKs').
+  // The position within the plane is tested in Conformance.cpp.
   const Robot robot = v6();
   const ModelState modelState = nominalState(robot, StateLayout{robot.joints.size(), robot.lengths.size(), 0});
   const CentreOfMass centre = centreOfMass(robot, forwardKinematics(robot, modelState));
@@ -71,8 +70,8 @@ TEST_CASE("the centre of mass of the standing robot lies in its middle plane") {
 }
 
 TEST_CASE("lifting the head against gravity takes the moment of its weight") {
-  // Proves sign and size on a case with one lever: head level, the torso upright. Forward of the pitch axis the head
-  // would pull the nose down, that is HeadPitch up; V6's head has its centre 1.12 mm behind it and pulls up.
+  // Proves sign and size on a case with one lever: head level, torso upright. A centre of mass ahead of the pitch axis
+  // would turn HeadPitch to positive angles; V6's is 1.12 mm behind it.
   const Robot robot = v6();
   const ModelState modelState = nominalState(robot, StateLayout{robot.joints.size(), robot.lengths.size(), 0});
   const auto torque = [&](const ModelState& at) {

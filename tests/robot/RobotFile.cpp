@@ -39,9 +39,9 @@ double mass(const Robot& robot) {
 } // namespace
 
 TEST_CASE("the drawings of all models are read, and weigh what their sources say") {
-  // Proves that the three files are complete and that overriding works. The sums are HULKs' own of body_v_5.json with
-  // head_v_5.json and head_v_6.json, and the manufacturer's for V4 (5.19535 kg with 0.04 g less of torso). Does not
-  // prove single numbers.
+  // Proves that the three files are complete and that overriding works. The sums are those of HULKs' body_v_5.json with
+  // head_v_5.json and head_v_6.json, and the manufacturer's for V4 (5.19535 kg, with a torso 0.04 g lighter). Single
+  // values are not tested.
   const std::map<std::string, double> sums{{"V4", 5.19539}, {"V5", 5.30539}, {"V6", 5.35979}};
   for (const auto& [model, sum] : sums) {
     const Robot robot = loadRobot(drawings.parent_path(), model);
@@ -55,7 +55,7 @@ TEST_CASE("the drawings of all models are read, and weigh what their sources say
 }
 
 TEST_CASE("a base's numbers stay where a drawing does not replace them") {
-  // Proves it for a mass replaced without its centre; does not prove JSON merge patches in general.
+  // Proves it for a mass replaced without its centre; JSON merge patches in general are not tested.
   const Robot v4 = loadRobot(drawings / "NaoV4.json"), v5 = loadRobot(drawings / "NaoV5.json");
   const std::size_t neck = *v4.linkIndex("Neck");
   CHECK(v4.links[neck].mass == 0.06442);
@@ -63,7 +63,7 @@ TEST_CASE("a base's numbers stay where a drawing does not replace them") {
 }
 
 TEST_CASE("parents stand before their children and joints know their links") {
-  // Proves what everything that walks the tree relies on, for the drawings that exist.
+  // Proves the order that all tree traversals rely on, for the existing drawings.
   for (const char* model : {"V4", "V5", "V6"}) {
     const Robot robot = loadRobot(drawings.parent_path(), model);
     CHECK_FALSE(robot.links.front().parent);
@@ -78,7 +78,7 @@ TEST_CASE("parents stand before their children and joints know their links") {
 }
 
 TEST_CASE("both hip yaw-pitch joints have one motor, every other joint its own") {
-  // Proves the drawing's and the reader's word on it; not that anybody heeds it.
+  // Proves the drawing and the reader; how the motor is used is tested elsewhere.
   const Robot robot = loadRobot(drawings / "NaoV6.json");
   for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
     const std::string& name = robot.joints[joint].name;
@@ -87,14 +87,14 @@ TEST_CASE("both hip yaw-pitch joints have one motor, every other joint its own")
 }
 
 TEST_CASE("coupled limits are interpolated, end at the ends and never exceed the joint's own") {
-  // Proves jointLimitsAt on rows of the drawing's tables and half-way between two; not the tables themselves.
+  // Proves jointLimitsAt at rows of the drawing's tables and half-way between two; the tables' values are not tested.
   const Robot robot = loadRobot(drawings / "NaoV6.json");
   Eigen::VectorXd angles = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(robot.joints.size()));
   const std::size_t headPitch = *robot.jointIndex("HeadPitch"), ankleRoll = *robot.jointIndex("LAnkleRoll");
   double& headYaw = angles[static_cast<Eigen::Index>(*robot.jointIndex("HeadYaw"))];
   double& anklePitch = angles[static_cast<Eigen::Index>(*robot.jointIndex("LAnklePitch"))];
 
-  CHECK(degrees(jointLimitsAt(robot, headPitch, angles).upper) == Approx(29.5)); // the table alone would allow 29.51
+  CHECK(degrees(jointLimitsAt(robot, headPitch, angles).upper) == Approx(29.5)); // the table alone would permit 29.51
   headYaw = radians(-87.49);
   CHECK(degrees(jointLimitsAt(robot, headPitch, angles).lower) == Approx(-18.91));
   headYaw = radians((62.45 + 87.49) / 2);
@@ -108,7 +108,7 @@ TEST_CASE("coupled limits are interpolated, end at the ends and never exceed the
 }
 
 TEST_CASE("the right sole mirrors the left one and both run counter-clockwise") {
-  // Proves the reading of outlineMirroredFrom; the area, 122.7 cm^2, is that of the outline's source.
+  // Proves the parsing of outlineMirroredFrom; the area, 122.7 cm^2, is that of the outline's source.
   const Robot robot = loadRobot(drawings / "NaoV6.json");
   const auto area = [](const std::vector<Eigen::Vector2d>& outline) {
     double twice = 0;
@@ -126,11 +126,11 @@ TEST_CASE("the right sole mirrors the left one and both run counter-clockwise") 
 }
 
 TEST_CASE("every broken drawing is refused with a sentence that names the file, the place and the fault") {
-  // Proves it for one variant of each rule of the format; a rule that is missing in the reader is not found here.
+  // Proves it for one variant of each rule of the format; rules that the reader lacks are not detected.
   struct Variant {
     std::string pointer; // what is replaced in V5's drawing
-    json value;          // by this; null removes it
-    std::string said;    // part of the refusal
+    json value;          // new value; null: removed
+    std::string said;    // part of the message
   };
   const std::vector<Variant> variants{
       {"/format", "naocal-result", "format: expected one of naocal-drawing, found \"naocal-result\""},
@@ -202,7 +202,7 @@ TEST_CASE("every broken drawing is refused with a sentence that names the file, 
 }
 
 TEST_CASE("a fault in a drawing with a base names both files") {
-  // Proves that a reader of the message knows where to look; the place may stand in either.
+  // Proves that the message names both files, as the fault may be in either.
   const TemporaryFolder folder;
   writeAtomically(folder.path() / "base.json", v5().dump());
   json derived{{"format", "naocal-drawing"}, {"version", 1}, {"model", "X"}, {"base", "base.json"}};
@@ -217,12 +217,12 @@ TEST_CASE("a fault in a drawing with a base names both files") {
 }
 
 TEST_CASE("an unknown model is refused with the list of the known ones") {
-  // Proves it for the folder of the source tree.
+  // Proves it for the source tree's folder.
   CHECK_THROWS_WITH(loadRobot(drawings.parent_path(), "V9"), Catch::Contains("{V4, V5, V6}") && Catch::Contains("V9"));
 }
 
 TEST_CASE("a file that is no drawing is refused by name") {
-  // Proves it for text that is not JSON, for JSON that is no object, and for no file at all.
+  // Proves it for invalid JSON, for JSON other than an object, and for a missing file.
   const TemporaryFolder folder;
   const auto file = folder.path() / "no.json";
   CHECK_THAT(refusal(file), Catch::Contains("no.json"));
@@ -233,7 +233,7 @@ TEST_CASE("a file that is no drawing is refused by name") {
 }
 
 TEST_CASE("the environment says where the configuration lies, else the source tree does") {
-  // Proves the first and the last of the three places; the installed one needs an installation.
+  // Proves the first and the last of the three locations; the installed one requires an installation.
   const char* before = std::getenv("NAOCAL_CONFIGURATION");
   const std::string kept = before == nullptr ? "" : before;
   ::setenv("NAOCAL_CONFIGURATION", "/somewhere/else", 1);

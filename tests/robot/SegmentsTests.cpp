@@ -8,8 +8,7 @@ using namespace naocal;
 using Eigen::Vector3d;
 
 TEST_CASE("segments are as far apart as a fine search finds") {
-  // Proves the distance against brute force over 200 random pairs, and in the cases where a formula would divide by
-  // zero: points, parallel and touching segments.
+  // Compares with brute force over 200 random pairs; also degenerate cases: points, parallel and touching segments.
   std::mt19937_64 random{1};
   std::uniform_real_distribution<double> number{-1, 1};
   const auto point = [&] {

@@ -24,7 +24,7 @@ Eigen::VectorXd anyAngles(const Robot& robot, RandomStream& chance) {
 } // namespace
 
 TEST_CASE("with all joints at zero the soles lie 333.09 mm below the torso and the top camera 523.23 mm above them") {
-  // Proves the sums of the drawing's lengths that sources state for the standing NAO. Says nothing about rotations.
+  // Proves the sums of the drawing's lengths, as stated by its sources for the standing NAO. Rotations are not covered.
   const Robot robot = loadRobot(configurationDirectory(), "V6");
   const SyntheticBody body{robot};
   const auto torsoFromLink =
@@ -39,9 +39,9 @@ TEST_CASE("with all joints at zero the soles lie 333.09 mm below the torso and t
 }
 
 TEST_CASE("a bent leg is where a product of elementary rotations puts it") {
-  // Proves the order, axes and signs of the left leg's joints against the chain that HULKs' kinematics writes down:
-  // Tz(-85) Ty(50) Rx(-45 deg) Ry(hyp) Rx(45 deg + roll) Ry(pitch) Tz(-100) Ry(knee) Tz(-102.9) Ry(ankle) Rx(ankle
-  // roll) Tz(-45.19), in millimetres. One leg, one attitude.
+  // Proves the order, axes and signs of the left leg's joints against the chain in HULKs' kinematics: Tz(-85) Ty(50)
+  // Rx(-45 deg) Ry(hyp) Rx(45 deg + roll) Ry(pitch) Tz(-100) Ry(knee) Tz(-102.9) Ry(ankle) Rx(ankle roll) Tz(-45.19),
+  // in millimetres. One leg, one pose.
   using Eigen::AngleAxisd, Eigen::Translation3d, Eigen::Vector3d;
   const Robot robot = loadRobot(configurationDirectory(), "V6");
   Eigen::VectorXd angles = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(robot.joints.size()));
@@ -65,7 +65,7 @@ TEST_CASE("a bent leg is where a product of elementary rotations puts it") {
 }
 
 TEST_CASE("gravity pulls the head forward by m g (x cos q + z sin q)") {
-  // Proves size and sign of a torque on paper: the head alone hangs on head pitch. One joint, torso upright.
+  // Proves size and sign of one joint's torque by hand: only the head hangs on head pitch. Torso upright.
   const Robot robot = loadRobot(configurationDirectory(), "V6");
   Eigen::VectorXd angles = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(robot.joints.size()));
   const auto headPitch = static_cast<Eigen::Index>(*robot.jointIndex("HeadPitch"));
@@ -78,8 +78,8 @@ TEST_CASE("gravity pulls the head forward by m g (x cos q + z sin q)") {
 }
 
 TEST_CASE("the simulator's mechanics and the calibration's agree in any attitude") {
-  // Proves that two programs written apart (screws and energy differences here, link by link and closed torques there)
-  // find the same links to 1e-12 m, centre of mass to 1e-12 m and torques to 1e-6 Nm. Both read the same drawing.
+  // Cross-checks two independent implementations (screws and energy differences here, link by link and closed-form
+  // torques there): links and centre of mass agree to 1e-12 m, torques to 1e-6 Nm. Both read the same drawing.
   const Robot robot = loadRobot(configurationDirectory(), "V6");
   const SyntheticBody body{robot};
   RandomStream chance{1, "any attitude"};
@@ -102,8 +102,8 @@ TEST_CASE("the simulator's mechanics and the calibration's agree in any attitude
 }
 
 TEST_CASE("links and torques agree with an independent simulator's") {
-  // Proves the same against numbers that neither of our programs made. That simulator's arms are single masses, rounded
-  // to a micrometre: torques agree to 1e-5 Nm only.
+  // Compares with an independent simulator. Its arms are single masses, rounded to a micrometre, so torques agree to
+  // 1e-5 Nm only.
   const auto file = sharedData("conformance/kinematics.json");
   if (!file) {
     return;

@@ -8,7 +8,7 @@ using namespace naocal;
 
 namespace {
 
-/// Corner errors of one simulation against the same one without noise, both axes of all corners [px].
+/// Corner errors of a simulation relative to the same one without noise, for all corners [px].
 std::vector<Eigen::Vector2d> cornerErrors(SimulationPlan plan) {
   const Simulation noisy = simulate(v6(), plan, 1);
   plan.corners = {0, false, 0, 0, plan.corners.displacedBoard};
@@ -45,8 +45,8 @@ double shareBeyond(const std::vector<Eigen::Vector2d>& errors, double limit) {
 } // namespace
 
 TEST_CASE("a robot without errors sees corners where the contract's formula puts them") {
-  // Proves frames and signs from board to pixel with numbers and formulas written out here: a V6 that stands straight
-  // on its left foot with its head turned, the bottom camera nominal, distortion on, one board placed by hand.
+  // Proves frames and signs from board to pixel against formulas written out here: a V6 standing straight on its left
+  // foot with its head turned, nominal bottom camera with distortion, four surveyed boards.
   using Eigen::AngleAxisd, Eigen::Translation3d, Eigen::Vector3d;
   SimulationPlan plan = handMadePlan(v6(), 1);
   plan.surveyed = true;
@@ -87,8 +87,8 @@ TEST_CASE("a robot without errors sees corners where the contract's formula puts
 }
 
 TEST_CASE("corners are as noisy as asked, and noise leaves robot and motions as they were") {
-  // Proves the standard deviation within 3 % and that corner noise is drawn apart from everything else (the exact
-  // simulation sees the same corners). Normal: 6e-5 beyond four sigma.
+  // Proves the standard deviation to 3 %, and that corner noise has its own random stream (the exact simulation sees
+  // the same corners). Normal distribution: 6e-5 beyond 4 sigma.
   SimulationPlan plan = handMadePlan(v6(), 24);
   plan.corners.pixel = 0.25;
   const std::vector<Eigen::Vector2d> errors = cornerErrors(plan);
@@ -98,8 +98,8 @@ TEST_CASE("corners are as noisy as asked, and noise leaves robot and motions as 
 }
 
 TEST_CASE("heavy tails keep the standard deviation and throw further") {
-  // Proves the scale of Student's t (4 degrees of freedom: 0.5 % beyond four sigma per axis) roughly: its fourth moment
-  // is infinite, so no sample knows its deviation well.
+  // Roughly proves the scale of Student's t (4 degrees of freedom: 0.5 % beyond 4 sigma per axis): its fourth moment is
+  // infinite, so a sample's standard deviation is inaccurate.
   SimulationPlan plan = handMadePlan(v6(), 24);
   plan.corners.heavyTails = true;
   const std::vector<Eigen::Vector2d> errors = cornerErrors(plan);
@@ -108,7 +108,8 @@ TEST_CASE("heavy tails keep the standard deviation and throw further") {
 }
 
 TEST_CASE("gross errors have the asked share and size and are named in the truth") {
-  // Proves that the named corners, and only they, lie off by 8 px. Share within three standard deviations of 5 %.
+  // Proves that as many corners are off by 8 px as the truth names; their identity is not compared. The share is within
+  // three standard deviations of 5 %.
   SimulationPlan plan = handMadePlan(v6(), 24);
   plan.corners.grossShare = 0.05;
   const std::vector<Eigen::Vector2d> errors = cornerErrors(plan);
@@ -122,8 +123,8 @@ TEST_CASE("gross errors have the asked share and size and are named in the truth
 }
 
 TEST_CASE("a displaced board changes one picture, the one that the truth names") {
-  // Proves that all corners of that board in that picture move and no other does, as far as the board still lies in
-  // view. The distance on the floor is stated by the truth.
+  // Proves that all corners of that board in that picture change and no others, if the board remains visible. The
+  // displacement is that of the truth.
   SimulationPlan plan = handMadePlan(v6(), 8);
   plan.corners.pixel = 0;
   const Simulation still = simulate(v6(), plan, 1);
@@ -151,7 +152,7 @@ TEST_CASE("a displaced board changes one picture, the one that the truth names")
 }
 
 TEST_CASE("no corner is given outside the picture, behind the camera or on squares too flat to be found") {
-  // Proves the limits of what a detector is said to find, with the robot's true geometry; six corners at least.
+  // Proves the limits of the simulated detector with the robot's true geometry; six corners at least.
   SimulationPlan plan = handMadePlan(v6(), 24);
   plan.corners.pixel = 0;
   for (const Capture& capture : simulate(v6(), plan, 1).set.captures) {
@@ -171,5 +172,5 @@ TEST_CASE("no corner is given outside the picture, behind the camera or on squar
   CHECK(ahead(1.0, 0.35) > 0);
   CHECK(ahead(3.0, 0.35) == 0);  // squares 2 px high
   CHECK(ahead(-1.0, 0.35) == 0); // behind
-  CHECK(ahead(1.0, -0.35) == 0); // from below
+  CHECK(ahead(1.0, -0.35) == 0); // seen from below
 }

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double step = 2 * std::numbers::pi / 4096; // of a NAO's encoders [rad]
 
-/// Readings minus (true angle + offset) of all captures and joints [rad].
+/// Readings minus (true angle + offset), for all captures and joints [rad].
 std::vector<double> encoderErrors(const SimulationPlan& plan) {
   const Simulation simulation = simulate(v6(), plan, 1);
   std::vector<double> errors;
@@ -33,7 +33,7 @@ double meanSquare(const std::vector<double>& values) {
   return sum / static_cast<double>(values.size());
 }
 
-/// For each sample beyond a pose's first: how many joints read something else than in the sample before.
+/// Number of joint readings that differ from the previous sample of the same pose and camera.
 int changedReadings(const SimulationPlan& plan) {
   const Simulation simulation = simulate(v6(), plan, 1);
   int changed = 0;
@@ -52,7 +52,7 @@ int changedReadings(const SimulationPlan& plan) {
 } // namespace
 
 TEST_CASE("encoders count in whole steps of 1/4096 turn") {
-  // Proves the grid of every reading of every joint. Says nothing about where on the grid.
+  // Proves that readings are multiples of a step. Their values are not tested.
   const Simulation simulation = simulate(v6(), handMadePlan(v6()), 1);
   for (const Capture& capture : simulation.set.captures) {
     for (const double angle : capture.joints.measured) {
@@ -62,8 +62,8 @@ TEST_CASE("encoders count in whole steps of 1/4096 turn") {
 }
 
 TEST_CASE("an encoder shows the true angle plus the offset, wrong by a step's rounding and a little dither") {
-  // Proves sign and size of the offset, and that errors over many approaches are as large as rounding (a twelfth of a
-  // step's square) and dither together: 10000 errors, so their mean square is known to 1 %.
+  // Proves sign and size of the offset, and that errors over many approaches have the variance of rounding (step^2 /
+  // 12) plus dither: 10,000 errors, so the mean square is known to 1 %.
   SimulationPlan plan = handMadePlan(v6(), 80);
   plan.repeatKind = RepeatKind::reapproach;
   const std::vector<double> errors = encoderErrors(plan);
@@ -72,7 +72,7 @@ TEST_CASE("an encoder shows the true angle plus the offset, wrong by a step's ro
 }
 
 TEST_CASE("a gear's deflection is not seen by its encoder") {
-  // Proves that stiction adds its whole variance to the difference between joint and encoder. Not its cause.
+  // Proves that stiction adds its full variance to the difference between joint and encoder.
   SimulationPlan plan = handMadePlan(v6(), 80);
   plan.mechanics.poseScatter = radians(0.1);
   const double rounding = step * step / 12 + std::pow(plan.mechanics.encoderDither, 2);
@@ -80,7 +80,7 @@ TEST_CASE("a gear's deflection is not seen by its encoder") {
 }
 
 TEST_CASE("load holds a gear's play where it overcomes the gap's friction, the last motion elsewhere") {
-  // Proves the side of the gap in every pose from the robot's true torques, and that both sides of the law occur.
+  // Proves the side of the gap in every pose from the robot's true torques, and that both regimes occur.
   SimulationPlan plan = handMadePlan(v6(), 40);
   plan.mechanics.encoderDither = 0;
   const auto joint = static_cast<Eigen::Index>(*v6().jointIndex("LHipPitch"));
@@ -108,8 +108,8 @@ TEST_CASE("load holds a gear's play where it overcomes the gap's friction, the l
 }
 
 TEST_CASE("at rest few readings change, after coming back to a pose most do") {
-  // Proves that rounding errors persist at rest (only where dither crosses a step's edge do they flip: about 13 %) and
-  // are drawn anew when a pose is left and taken again. 12 poses, 2 cameras, 2 changes, 24 joints: 1152 chances.
+  // Proves that rounding errors persist at rest (only where dither crosses a step's edge they change: about 13 %) and
+  // are drawn anew for each approach. 12 poses, 2 cameras, 2 changes, 24 joints: 1152 readings.
   SimulationPlan plan = handMadePlan(v6(), 12);
   plan.repeatKind = RepeatKind::rest;
   const int atRest = changedReadings(plan);
@@ -121,8 +121,8 @@ TEST_CASE("at rest few readings change, after coming back to a pose most do") {
 }
 
 TEST_CASE("stiction of a pose is the same in all its samples, stiction of an approach is not") {
-  // Proves what each kind of scatter shares, by the true angles' spread over the samples of a pose with motors that
-  // always come to rest at the same place.
+  // Proves which samples share each kind of scatter, by the spread of the true angles over a pose's samples with
+  // exactly repeating motors.
   SimulationPlan plan = handMadePlan(v6(), 6);
   plan.repeatKind = RepeatKind::reapproach;
   plan.mechanics.servoDeadZone = plan.mechanics.residualSpeed = 0;
@@ -137,7 +137,7 @@ TEST_CASE("stiction of a pose is the same in all its samples, stiction of an app
 }
 
 TEST_CASE("the one motor of both hip yaw-pitch joints has one reading, one command and one offset") {
-  // Proves that the two names never differ, whatever the pose says. Two cameras, three samples, stiction on.
+  // Proves that both names always agree, even if the pose differs. Two cameras, three samples, with stiction.
   SimulationPlan plan = handMadePlan(v6(), 4);
   plan.mechanics.poseScatter = plan.mechanics.approachScatter = 1e-3;
   const std::size_t left = *v6().jointIndex("LHipYawPitch"), right = *v6().jointIndex("RHipYawPitch");

@@ -9,8 +9,8 @@
 
 namespace naocal {
 
-/// Poses for tests that do not need a robot that keeps its balance: knees bent, torso upright within a quarter of a
-/// radian, the head looking around, the free leg anywhere, the arms hanging.
+/// Poses for tests that do not need balance: knees bent, torso within a quarter of a radian of upright, the head
+/// looking around, the free leg anywhere, arms hanging.
 inline std::vector<CommandedPose> handMadePoses(const Robot& robot, SupportFoot foot, int count,
                                                 std::uint64_t seed = 1) {
   RandomStream chance{seed, "hand-made poses"};
@@ -46,7 +46,7 @@ inline std::vector<CommandedPose> handMadePoses(const Robot& robot, SupportFoot 
   return poses;
 }
 
-/// A plan with those poses and everything else as usual.
+/// A plan with those poses and default values otherwise.
 inline SimulationPlan handMadePlan(const Robot& robot, int poses = 12, SupportFoot foot = SupportFoot::left) {
   SimulationPlan plan;
   plan.poses = handMadePoses(robot, foot, poses);

@@ -26,9 +26,9 @@ std::map<std::pair<std::string, int>, Eigen::Vector2d> byName(const std::vector<
 } // namespace
 
 TEST_CASE("corners found in the rendered pictures are those that the simulation would have given", "[slow]") {
-  // Proves that pictures and corners show one and the same world: same boards, same places to a quarter of a pixel,
-  // and that a simulated detector finds about what the real one does (each finds 80 % of the other's corners).
-  // The detector's accuracy has tests of its own.
+  // Proves that pictures and corners show the same scene: the same boards, positions to 0.25 px, and that the simulated
+  // detector finds about what the real one does (each finds 80 % of the other's corners). The detector's accuracy is
+  // tested in detect.
   const Robot robot = loadRobot(configurationDirectory(), "V6");
   SimulationPlan plan;
   plan.poses = planStandingPoses(robot, plan, SupportFoot::left, 12, 1);

@@ -7,8 +7,8 @@
 using namespace naocal;
 
 TEST_CASE("on both feet both soles lie flat on the floor, whatever the offsets") {
-  // Proves that the floor's constraint holds for the true angles to 0.1 mm and 0.1 mrad (motors still turn a little
-  // between two cameras). Does not ask where on the floor the right foot stands.
+  // Proves that the floor constraint holds for the true angles to 0.1 mm and 0.1 mrad (motors still move slightly
+  // between two cameras). The right foot's position on the floor is not tested.
   const SimulationPlan plan = handMadePlan(v6(), 8, SupportFoot::both);
   const SyntheticBody body{v6()};
   for (const Exposure& exposure : simulate(v6(), plan, 1).exposures) {
@@ -21,8 +21,8 @@ TEST_CASE("on both feet both soles lie flat on the floor, whatever the offsets")
 }
 
 TEST_CASE("the feet's sensors carry the robot's weight below its centre of mass") {
-  // Proves that forces add up to the mass and have their middle where the centre of mass stands, in poses that keep it
-  // above the sole, and that a lifted foot carries nothing. Noise off.
+  // Proves that forces add up to the mass, that their centre is below the centre of mass, in balanced poses, and that a
+  // lifted foot has no load. Without noise.
   SimulationPlan plan = handMadePlan(v6(), 1);
   plan.offsetRange = plan.mechanics.forceNoise = 0;
   const SyntheticBody body{v6()};
@@ -56,8 +56,7 @@ TEST_CASE("the feet's sensors carry the robot's weight below its centre of mass"
 }
 
 TEST_CASE("the inertial unit reports the torso's roll and pitch") {
-  // Proves signs and order: leaning forward is a positive pitch, leaning to the right a positive roll, both of them
-  // Ry(pitch) Rx(roll) after any yaw. Noise off.
+  // Proves signs and order: leaning forward is a positive pitch, leaning to the right a positive roll. Without noise.
   SimulationPlan plan = handMadePlan(v6(), 1);
   plan.offsetRange = plan.mechanics.imuNoise = plan.mechanics.servoDroop = plan.mechanics.servoDeadZone = 0;
   plan.mechanics.residualSpeed = 0;
@@ -65,12 +64,12 @@ TEST_CASE("the inertial unit reports the torso's roll and pitch") {
   plan.poses[0].angles[static_cast<Eigen::Index>(*v6().jointIndex("LAnklePitch"))] = -0.2; // the body leans forward
   CHECK((*simulate(v6(), plan, 1).set.captures[0].imu - Eigen::Vector2d{0, 0.2}).norm() < 1e-9);
   plan.poses[0].angles.setZero();
-  plan.poses[0].angles[static_cast<Eigen::Index>(*v6().jointIndex("LAnkleRoll"))] = -0.1; // and to the right
+  plan.poses[0].angles[static_cast<Eigen::Index>(*v6().jointIndex("LAnkleRoll"))] = -0.1; // the body leans to the right
   CHECK((*simulate(v6(), plan, 1).set.captures[0].imu - Eigen::Vector2d{0.1, 0}).norm() < 1e-9);
 }
 
 TEST_CASE("a joint's approach is the direction of its last motion") {
-  // Proves the signs over a motion up, a motion down and a pause. Says nothing about what the direction does.
+  // Proves the signs for a motion up, a motion down and a pause. The effect of the direction is not tested.
   SimulationPlan plan = handMadePlan(v6(), 4);
   const std::size_t knee = *v6().jointIndex("LKneePitch");
   const std::vector<double> angles{0.5, 0.9, 0.3, 0.3}, expected{1, 1, -1, -1};
@@ -83,8 +82,8 @@ TEST_CASE("a joint's approach is the direction of its last motion") {
 }
 
 TEST_CASE("a pose is approached as it asks") {
-  // Proves that every joint's last motion is the one asked for, against its way from the pose before; joints that ask
-  // for none keep theirs.
+  // Proves that every joint's last motion has the requested direction, against its path from the previous pose; joints
+  // without a request keep theirs.
   SimulationPlan plan = handMadePlan(v6(), 2), asked = plan;
   for (CommandedPose& pose : asked.poses) {
     pose.approach = Eigen::VectorXd::Constant(pose.angles.size(), -1);
@@ -99,7 +98,7 @@ TEST_CASE("a pose is approached as it asks") {
 }
 
 TEST_CASE("motors under load warm up, the others keep their temperature") {
-  // Proves the direction of warming: after 24 poses a bent support knee is warmer than an elbow by a degree.
+  // Proves the direction of heating: after 24 poses a bent support knee is at least 0.3 K warmer than an elbow.
   const Simulation simulation = simulate(v6(), handMadePlan(v6(), 24), 1);
   const std::vector<double>& temperatures = simulation.set.captures.back().joints.temperature;
   CHECK(temperatures[*v6().jointIndex("LKneePitch")] > temperatures[*v6().jointIndex("LElbowYaw")] + 0.3);
@@ -107,7 +106,8 @@ TEST_CASE("motors under load warm up, the others keep their temperature") {
 }
 
 TEST_CASE("time runs on from capture to capture, 30 ms from one camera to the other") {
-  // Proves that no two captures share an instant and that poses take seconds. Not the speed of joints.
+  // Proves that no two captures share a time, and that a change of pose takes over a second. Joint speeds are not
+  // tested.
   const Simulation simulation = simulate(v6(), handMadePlan(v6(), 5), 1);
   const std::vector<Capture>& captures = simulation.set.captures;
   for (std::size_t i = 1; i < captures.size(); ++i) {

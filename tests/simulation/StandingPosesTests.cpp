@@ -9,7 +9,7 @@ using namespace naocal;
 
 namespace {
 
-/// Where the centre of mass stands in the frame of the (left, on both) support foot's sole [m].
+/// Centre of mass in the frame of the support foot's sole (on both feet, the left one) [m].
 Eigen::Vector3d centreOverSole(const CommandedPose& pose) {
   const SyntheticBody body{v6()};
   const auto torsoFromLink = body.forwardKinematics(pose.angles);
@@ -20,8 +20,8 @@ Eigen::Vector3d centreOverSole(const CommandedPose& pose) {
 } // namespace
 
 TEST_CASE("in poses for a simulation the robot without errors stands and sees boards") {
-  // Proves by the simulator's own mechanics that the centre of mass is above the sole (or between the two) with a
-  // margin, and that a robot without errors sees a board in every pose. Collisions are not looked at.
+  // Proves by the simulator's own mechanics that the centre of mass is above the sole (or between both), within fixed
+  // bounds, and that a robot without errors sees a board in every pose. Collisions are not checked.
   SimulationPlan plan;
   plan.samples = 1;
   plan.offsetRange = plan.mountRange = 0;
@@ -44,7 +44,7 @@ TEST_CASE("in poses for a simulation the robot without errors stands and sees bo
 }
 
 TEST_CASE("on both feet a pose has both soles on one floor") {
-  // Proves that what is commanded to the drawn robot needs no help by the floor.
+  // Proves that the commanded angles satisfy the floor constraint for the drawn robot.
   const SyntheticBody body{v6()};
   for (const CommandedPose& pose : planStandingPoses(v6(), SimulationPlan{}, SupportFoot::both, 8, 1)) {
     const auto torsoFromLink = body.forwardKinematics(pose.angles);
@@ -56,7 +56,7 @@ TEST_CASE("on both feet a pose has both soles on one floor") {
 }
 
 TEST_CASE("boards out of sight are refused with a sentence") {
-  // Proves that the search for poses ends. On both feet; on one foot the pose generator's own tests say it.
+  // Proves that the search for poses ends, on both feet; on one foot it is tested with the pose generator.
   SimulationPlan plan;
   for (Board& board : plan.boards) {
     board.placement->x += 20;

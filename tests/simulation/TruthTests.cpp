@@ -10,7 +10,7 @@ using namespace naocal;
 
 namespace {
 
-/// Where `other` lies as seen from `own`: x, y, yaw.
+/// Relative placement of `other` in the frame of `own`: x, y, yaw.
 Eigen::Vector3d between(const Placement& own, const Placement& other) {
   const Eigen::Isometry3d seen = isometryFromPlacement(own).inverse() * isometryFromPlacement(other);
   return {seen.translation().x(), seen.translation().y(), std::atan2(seen(1, 0), seen(0, 0))};
@@ -19,7 +19,7 @@ Eigen::Vector3d between(const Placement& own, const Placement& other) {
 } // namespace
 
 TEST_CASE("the same seed gives the same set and truth, another seed another robot") {
-  // Proves repeatability to the last digit, and that two sets of one robot can be made by its own seed.
+  // Proves repeatability to the last digit, and that `robotSeed` gives several sets of one robot.
   const SimulationPlan plan = handMadePlan(v6(), 3);
   const Simulation one = simulate(v6(), plan, 1), again = simulate(v6(), plan, 1), two = simulate(v6(), plan, 2);
   CHECK(formatCaptureSet(one.set) == formatCaptureSet(again.set));
@@ -34,8 +34,8 @@ TEST_CASE("the same seed gives the same set and truth, another seed another robo
 }
 
 TEST_CASE("a robot can be taken up again among its boards") {
-  // Proves that robot and board seeds give another set's offsets, mounts, hidden flaw and boards, that stances are
-  // numbered on and lie elsewhere, and that readings are new.
+  // Proves that robot and board seeds reproduce another set's offsets, mounts, hidden effect and boards, that stances
+  // are renumbered with new placements, and that readings are new.
   SimulationPlan plan = handMadePlan(v6());
   plan.hiddenFlaw = true;
   const Simulation first = simulate(v6(), plan, 4);
@@ -59,7 +59,7 @@ TEST_CASE("a robot can be taken up again among its boards") {
 }
 
 TEST_CASE("the truth names every motor's offset, every camera's rotation and every placement, with units") {
-  // Proves completeness against the robot and the set, and the keys that others read. Values are checked elsewhere.
+  // Proves completeness against robot and set, and the keys. Of the values only the range is tested.
   const Simulation simulation = simulate(v6(), handMadePlan(v6(), 3), 1);
   const nlohmann::json truth = nlohmann::json::parse(formatTruth(simulation.truth));
   std::set<std::string> offsets, rotations;
@@ -81,7 +81,8 @@ TEST_CASE("the truth names every motor's offset, every camera's rotation and eve
 }
 
 TEST_CASE("placements are given in the world of a result: the first board's frame, unless surveyed") {
-  // Proves the gauge, and that changing the world changes no distance. A board that nobody sees is no world.
+  // Proves the gauge, and that changing the world frame keeps relative placements. A board that is never seen cannot be
+  // the world.
   SimulationPlan plan = handMadePlan(v6(), 12);
   const Truth truth = simulate(v6(), plan, 1).truth;
   CHECK(between({}, truth.placements.boards.at("A")).norm() < 1e-12);
@@ -104,7 +105,7 @@ TEST_CASE("placements are given in the world of a result: the first board's fram
 }
 
 TEST_CASE("a set says nothing of the truth") {
-  // Proves that no placement stands in a set that is not surveyed, and that the truth's file lies beside the folder.
+  // Proves that sets that are not surveyed contain no placements, and that the truth file lies beside the folder.
   const Simulation simulation = simulate(v6(), handMadePlan(v6(), 2), 1);
   for (const Board& board : simulation.set.boards) {
     CHECK_FALSE(board.placement);
@@ -115,7 +116,7 @@ TEST_CASE("a set says nothing of the truth") {
 }
 
 TEST_CASE("a written set reads back as it was simulated") {
-  // Proves that the reader accepts a simulated set of each kind. Only some of its content is compared.
+  // Proves that the reader accepts a simulated set of each kind. Only a part of the content is compared.
   for (const RepeatKind kind : {RepeatKind::rest, RepeatKind::reapproach, RepeatKind::restand}) {
     for (const SupportFoot foot : {SupportFoot::left, SupportFoot::right, SupportFoot::both}) {
       SimulationPlan plan = handMadePlan(v6(), 2, foot);
@@ -130,7 +131,7 @@ TEST_CASE("a written set reads back as it was simulated") {
 }
 
 TEST_CASE("standing anew keeps the pose, changes the stance and comes with a new placement") {
-  // Proves what restand means: samples of a pose share the command but neither stance nor placement.
+  // Proves the meaning of restand: samples of a pose have the same command, but another stance and placement.
   SimulationPlan plan = handMadePlan(v6(), 2);
   plan.repeatKind = RepeatKind::restand;
   const Simulation simulation = simulate(v6(), plan, 1);

@@ -15,7 +15,7 @@ using nlohmann::json;
 
 const std::string mountName = "Motion.Offsets";
 
-/// Offsets that belong together: all keys equal.
+/// Offsets with equal values, to detect mixed saves.
 json allEqual(int value) {
   json keys;
   for (int i = 0; i < 26; ++i) {
@@ -24,7 +24,7 @@ json allEqual(int value) {
   return keys;
 }
 
-/// Saves ever new values until it is killed, and undoes some of the saves.
+/// Saves increasing values until killed; undoes every third save.
 [[noreturn]] void keepSaving(const std::filesystem::path& root, int first, int pipe) {
   Configuration configuration{root, {"", "Ada", "Bob"}, writeAtomically};
   configuration.mount(mountName, "Offsets.json", RobotPart::body);
@@ -44,7 +44,7 @@ json allEqual(int value) {
 
 const std::string offsetsFile = "location/default/head/Ada/Offsets.json";
 
-/// A journal of files that shall all hold "{}".
+/// A journal of files with the content "{}".
 std::string journalOf(const std::vector<std::string>& files) {
   json noted = {{"files", json::array()}};
   for (const std::string& file : files) {
@@ -53,7 +53,7 @@ std::string journalOf(const std::vector<std::string>& files) {
   return noted.dump();
 }
 
-/// A robot that starts on what a save has noted, and what it says.
+/// Starts a robot with an unfinished save's journal. Returns the logged sentences.
 std::vector<std::string> startOn(const ConfiguredRobot& robot, const std::string& journal) {
   robot.file("unfinished-save.json", journal);
   std::vector<std::string> said;
@@ -65,8 +65,8 @@ std::vector<std::string> startOn(const ConfiguredRobot& robot, const std::string
 } // namespace
 
 TEST_CASE("a configuration whose writer is killed at any moment is the old or the new one", "[slow]") {
-  // Proves it for 200 kills at random moments of saving and undoing: every file of the robot is whole and holds values
-  // that belong together. A power cut (what the disk had not yet written) is not simulated.
+  // Proves it for 200 kills at random moments of saving and undoing: every file is complete and its values belong
+  // together. Power cuts, which lose unwritten data, are not simulated.
   ConfiguredRobot robot;
   robot.file("default/body/default/Offsets.json", allEqual(0).dump());
   std::mt19937 random{1};
@@ -104,12 +104,12 @@ TEST_CASE("a configuration whose writer is killed at any moment is the old or th
     saved += value > last ? 1 : 0;
     last = std::max(last, value) + 1;
   }
-  CHECK(saved > 20); // else the writer was never in the middle of anything
+  CHECK(saved > 20); // some kills must follow a complete save
 }
 
 TEST_CASE("an unfinished save that leads out of its configuration is refused whole, and the robot starts") {
-  // Proves it for absolute paths, steps upwards, links to folders and to files, what is no file, and what is no
-  // journal; beside each a good file is named first, which must not be written either.
+  // Proves it for absolute paths, parent folders, symbolic links to folders and files, non-files, and invalid journals.
+  // Each journal lists a valid file first, which must not be written either.
   const TemporaryFolder outside;
   ConfiguredRobot robot;
   robot.file("default/access.json", "{}");
@@ -144,7 +144,7 @@ TEST_CASE("an unfinished save that leads out of its configuration is refused who
 }
 
 TEST_CASE("an unfinished save is finished where its configuration lies now") {
-  // Proves it for a configuration that was moved between; nothing is written where it was.
+  // Proves it for a configuration that was moved meanwhile; nothing is written to its former place.
   ConfiguredRobot robot;
   robot.file("default/head/default/Offsets.json", R"({"value": 0})");
   const auto before = robot.folder.path() / "before", after = robot.folder.path() / "after";
@@ -173,7 +173,7 @@ TEST_CASE("an unfinished save is finished where its configuration lies now") {
 }
 
 TEST_CASE("what an earlier version had noted by its whole path is still finished") {
-  // Proves it for a file of the same configuration, in a folder that is not there yet.
+  // Proves it for a file of the same configuration, in a folder that does not exist yet.
   ConfiguredRobot robot;
   const auto file = robot.folder.path() / offsetsFile;
   CHECK(startOn(robot, journalOf({file.string()})).empty());

@@ -21,7 +21,7 @@ template <class Action> std::string refusal(const Action& action) {
 } // namespace
 
 TEST_CASE("six layers are read in their order and later ones replace whole top-level keys") {
-  // Proves order and shallowness: each layer sets the key of its own number and all later ones.
+  // Proves order and shallow merging: each layer sets the key of its own number and all later ones.
   const ConfiguredRobot robot;
   const std::vector<std::string> layers{"default/Camera.json",           "default/head/default/Camera.json",
                                         "default/head/Ada/Camera.json",  "Home/Camera.json",
@@ -42,7 +42,7 @@ TEST_CASE("six layers are read in their order and later ones replace whole top-l
 }
 
 TEST_CASE("a robot at the default location has three layers and files may be missing") {
-  // Proves that absent files are skipped and that `mounts` names the most specific one that exists.
+  // Proves that absent files are skipped, and that `mounts` returns the most specific existing file.
   ConfiguredRobot robot{{"default", "Ada", "Bob"}};
   robot.file("default/body/default/Offsets.json", R"({"a": 1, /* and */ "b": 2})");
   robot.configuration.mount("Motion.Offsets", "Offsets.json", RobotPart::body);
@@ -52,7 +52,7 @@ TEST_CASE("a robot at the default location has three layers and files may be mis
 }
 
 TEST_CASE("a robot is known by the ids of its head and its body") {
-  // Proves exchanged heads, a V5's four characters, and that who is not listed is called by its id.
+  // Proves exchanged heads, the V5's four-character body id, and that unlisted robots are named by their ids.
   const ConfiguredRobot robot;
   robot.file("default/id_map.json", R"({"idmap.nao": [
     {"name": "Ada", "headid": "P1A", "bodyid": "P1B0012"}, {"name": "Bob", "headid": "P2A", "bodyid": "P2B0034"}]})");
@@ -69,8 +69,8 @@ TEST_CASE("a robot is known by the ids of its head and its body") {
 }
 
 TEST_CASE("only what was set is saved, into the robot's own file") {
-  // Proves the layer (the body's for a body's file, the head's for a head's), that nothing else is written, that other
-  // keys of that file stay, and that a second robot reads none of it.
+  // Proves the layer (body or head), that no other file and no other key is changed, and that a second robot is not
+  // affected.
   ConfiguredRobot robot;
   robot.file("default/body/default/Offsets.json", R"({"headYaw": 0.0, "lKneePitch": 0.0, "mode": {"fast": true}})");
   robot.file("default/head/default/Camera.json", R"({"top": [0, 0, 0], "bottom": [0, 0, 0]})");
@@ -94,7 +94,7 @@ TEST_CASE("only what was set is saved, into the robot's own file") {
 }
 
 TEST_CASE("what is saved is what is read back, also where the location overrides it") {
-  // Proves that saving into a layer that a later one would hide does not happen.
+  // Proves that values are saved to a layer that no later layer overrides.
   for (const bool overridden : {false, true}) {
     ConfiguredRobot robot;
     robot.file("default/body/default/Offsets.json", R"({"headYaw": 0.0})");
@@ -114,8 +114,8 @@ TEST_CASE("what is saved is what is read back, also where the location overrides
 }
 
 TEST_CASE("a save is undone once, comments included") {
-  // Proves that the previous file comes back byte for byte, that keys follow, and that a second undo, which would bring
-  // back what was undone, is refused until something is saved again.
+  // Proves that the previous file is restored byte for byte, that the keys follow, and that a second undo is refused
+  // until the next save.
   ConfiguredRobot robot;
   const std::string before = "// by hand\n{\"headYaw\": 1.0}";
   robot.file("default/body/Bob/Offsets.json", before);
@@ -137,8 +137,8 @@ TEST_CASE("a save is undone once, comments included") {
 }
 
 TEST_CASE("what is kept together goes back together, whoever saved one of it in between") {
-  // Proves that a save of one mount alone, by its name or as what has changed, is one of its partner too, so that an
-  // undo of either takes back that save and nothing of the one before; others are left alone.
+  // Proves that saving one mount, by name or with all changes, also saves its partner, so that undoing either reverts
+  // exactly that save; other mounts are not affected.
   for (const bool byName : {true, false}) {
     ConfiguredRobot robot;
     for (const std::string name : {"Offsets", "Cameras", "Other"}) {
@@ -148,9 +148,9 @@ TEST_CASE("what is kept together goes back together, whoever saved one of it in 
     robot.configuration.saveTogether({"Offsets", "Cameras", "Absent"});
     robot.configuration.set("Offsets", "value", 1);
     robot.configuration.set("Cameras", "value", 1);
-    robot.configuration.save("Offsets"); // a calibration
+    robot.configuration.save("Offsets"); // by a calibration
     robot.configuration.set("Cameras", "value", 2);
-    byName ? robot.configuration.save("Cameras") : robot.configuration.save(); // somebody in between
+    byName ? robot.configuration.save("Cameras") : robot.configuration.save(); // by another client in between
     robot.configuration.undo("Offsets");
     CHECK(robot.readKeys("Cameras")["value"] == 1);
     CHECK(robot.readKeys("Offsets")["value"] == 1);
@@ -160,7 +160,7 @@ TEST_CASE("what is kept together goes back together, whoever saved one of it in 
 }
 
 TEST_CASE("orders are never saved, and all else is written elsewhere as it would be saved") {
-  // Proves it for a key that no file shall get; the other place gets unsaved changes, and no secret.
+  // Proves it for a command key; writeTo includes unsaved changes but no secrets.
   ConfiguredRobot robot;
   robot.file("default/head/default/Runner.json", R"({"run": "", "repeats": 1})");
   robot.file("default/access.json", R"({"secret": "psst"})");
@@ -181,8 +181,8 @@ TEST_CASE("orders are never saved, and all else is written elsewhere as it would
 }
 
 TEST_CASE("a save that changes nothing leaves what an undo goes back to", "[slow]") {
-  // Proves it for values that were put back before anything is saved, for a save by name of what is saved already, and
-  // for a value that its file has got meanwhile.
+  // Proves it for values restored before saving, for saving an unchanged mount by name, and for a value that its file
+  // has received meanwhile.
   for (const std::string way : {"put back", "saved already", "in the file"}) {
     ConfiguredRobot robot;
     for (const std::string name : {"Offsets", "Cameras", "Other"}) {
@@ -191,9 +191,9 @@ TEST_CASE("a save that changes nothing leaves what an undo goes back to", "[slow
     }
     robot.configuration.saveTogether({"Offsets", "Cameras"});
     robot.configuration.set("Offsets", "value", 1);
-    robot.configuration.save("Offsets"); // a calibration
+    robot.configuration.save("Offsets"); // by a calibration
     if (way == "put back") {
-      robot.configuration.set("Offsets", "value", 2); // one that is rejected
+      robot.configuration.set("Offsets", "value", 2); // a calibration that is rejected
       robot.configuration.set("Offsets", "value", 1);
     } else if (way == "in the file") {
       robot.configuration.set("Offsets", "value", 2);
@@ -211,7 +211,7 @@ TEST_CASE("a save that changes nothing leaves what an undo goes back to", "[slow
 }
 
 TEST_CASE("what is put back to what the files say counts as saved") {
-  // Proves it key by key, and that no file of the robot's own is made for it.
+  // Proves it key by key, and that no file is created for the robot.
   ConfiguredRobot robot;
   robot.file("default/body/default/Offsets.json", R"({"knee": 0, "hip": [1, 2]})");
   robot.configuration.mount("Offsets", "Offsets.json", RobotPart::body);
@@ -226,8 +226,8 @@ TEST_CASE("what is put back to what the files say counts as saved") {
 }
 
 TEST_CASE("what is shipped stays as it is when what a robot learns is saved beside it") {
-  // Proves it for saves, an undo, and a save that was cut off: every byte of the shipped folder stays, the next start
-  // finds what was learned, and a newer shipped file counts for the keys that were not.
+  // Proves it for saves, an undo and an interrupted save: the shipped folder is unchanged byte for byte, the next start
+  // restores the learned values, and a newer shipped file provides all other keys.
   ConfiguredRobot robot;
   const auto learned = robot.folder.path() / "learned", shipped = robot.folder.path() / "shipped";
   robot.file("default/body/default/Offsets.json", R"({"knee": 0, "hip": 1})");
@@ -281,7 +281,7 @@ TEST_CASE("what is shipped stays as it is when what a robot learns is saved besi
   CHECK(values(one) == json{5, 1, 3});
   configuration->undo("Mounts");
   CHECK(values(*configuration) == json{2, 1, 3});
-  int left = 1; // the journal
+  int left = 1; // number of writes before the failure: the journal
   configuration = open([&](const std::filesystem::path& file, std::string_view content) {
     if (left-- <= 0) {
       throw std::runtime_error{"the power is off"};
@@ -297,7 +297,7 @@ TEST_CASE("what is shipped stays as it is when what a robot learns is saved besi
 }
 
 TEST_CASE("a save that has failed is not finished by a copy of the configuration") {
-  // Proves that what the save has noted stays where it is: read in another place it would write to this robot's files.
+  // Proves that the journal is not copied: applied elsewhere, it would write this robot's files.
   const ConfiguredRobot robot;
   robot.file("default/head/default/Offsets.json", R"({"value": 0})");
   const auto writer = [&](const std::filesystem::path& file, std::string_view content) {
@@ -322,8 +322,8 @@ TEST_CASE("a save that has failed is not finished by a copy of the configuration
 }
 
 TEST_CASE("what is saved together is old or new together, wherever the program ends", "[slow]") {
-  // Proves it for every write of a save and of an undo: the program ends there, and the next one finishes what was
-  // noted or finds nothing changed. A mount without changes is left as it is by both.
+  // Proves it for an interruption after every write of a save and of an undo: the next start either completes the
+  // journal or finds no change. An unchanged mount is not affected.
   for (const bool undone : {false, true}) {
     for (int writes = 0; writes <= (undone ? 3 : 6); ++writes) {
       ConfiguredRobot robot;
@@ -369,7 +369,7 @@ TEST_CASE("what is saved together is old or new together, wherever the program e
 }
 
 TEST_CASE("keys may hold dots, and places that do not exist cannot be set") {
-  // Proves the reading of paths and pins the refusals; a refused value changes nothing.
+  // Proves path parsing and the refusals' messages; a refused value changes nothing.
   ConfiguredRobot robot;
   robot.file("default/sdk.json", R"({"network.basePort": 12440, "network": {"basePort": 1, "a.b": [5, {"c": 6}]}})");
   robot.configuration.mount("tuhhSDK.base", "sdk.json", RobotPart::none, [](const std::string&, const json& value) {
@@ -393,7 +393,7 @@ TEST_CASE("keys may hold dots, and places that do not exist cannot be set") {
 }
 
 TEST_CASE("published keys are served beside a file's and never saved") {
-  // Proves it for what the desktop asks of a robot when it connects.
+  // Proves it for the keys that MATE requests on connecting.
   ConfiguredRobot robot;
   robot.file("default/sdk.json", R"({"location": "Home"})");
   robot.configuration.mount("tuhhSDK.base", "sdk.json", RobotPart::none);
@@ -406,7 +406,7 @@ TEST_CASE("published keys are served beside a file's and never saved") {
 }
 
 TEST_CASE("broken files are refused with a sentence that names them") {
-  // Pins what a person reads: the file, the line, what was expected.
+  // Pins the messages: file, line, what was expected.
   ConfiguredRobot robot;
   const auto mounting = [&](const std::string& content) {
     robot.file("default/Broken.json", content);

@@ -12,7 +12,7 @@ using std::chrono::milliseconds;
 
 constexpr ClockOffset::Wall epoch = std::chrono::seconds{1700000000};
 
-/// A wall clock `ahead` of Clock's zero plus the epoch.
+/// Wall clock that is `ahead` of Clock plus the epoch.
 ClockOffset::Wall wallAt(TimePoint time, Duration ahead = {}) {
   return epoch + time.time_since_epoch() + ahead;
 }
@@ -30,7 +30,7 @@ double errorOf(const ClockOffset& clock, TimePoint taken, TimePoint now, Duratio
 } // namespace
 
 TEST_CASE("a wall clock's stamp becomes the time at which it was taken") {
-  // Proves the conversion for steady clocks and readings that were interrupted now and then: the narrow ones count.
+  // Proves the conversion for steady clocks with some interrupted readings: the narrowest readings are used.
   std::mt19937 random{1};
   ClockOffset clock;
   CHECK_FALSE(clock.convert(wallAt(at(1)), at(1)));
@@ -38,7 +38,7 @@ TEST_CASE("a wall clock's stamp becomes the time at which it was taken") {
     const bool interrupted = i % 3 == 0;
     const auto bracket = interrupted ? microseconds{1500} : microseconds{1};
     const TimePoint time = at(10 + 0.033 * i);
-    // the wall clock was read anywhere within the bracket
+    // The wall clock is read at a random time within the bracket.
     const auto within = Duration{std::uniform_int_distribution<Duration::rep>{0, Duration{bracket}.count()}(random)};
     clock.sample(time, wallAt(time + within), time + bracket);
     if (i > 0) {
@@ -48,7 +48,7 @@ TEST_CASE("a wall clock's stamp becomes the time at which it was taken") {
 }
 
 TEST_CASE("a frame exposed before the wall clock was set is placed right after it") {
-  // Proves it for jumps of an hour forward and back: frames on both sides of the jump.
+  // Proves it for jumps of an hour in both directions: frames on both sides of the jump.
   for (const Duration jump : {Duration{std::chrono::hours{1}}, Duration{-std::chrono::hours{1}}}) {
     ClockOffset clock;
     for (int i = 0; i <= 30; ++i) {
@@ -62,7 +62,7 @@ TEST_CASE("a frame exposed before the wall clock was set is placed right after i
 }
 
 TEST_CASE("a wall clock that is slewed is followed") {
-  // Proves that a drift of 500 ppm, the most that a time service slews, costs under a tenth of a millisecond.
+  // Proves that a drift of 500 ppm, the maximum of time services, costs less than 0.1 ms.
   ClockOffset clock;
   for (int i = 0; i < 3000; ++i) {
     const TimePoint time = at(1 + 0.033 * i);
@@ -73,7 +73,7 @@ TEST_CASE("a wall clock that is slewed is followed") {
 }
 
 TEST_CASE("a stamp from the future or from long ago is refused") {
-  // Proves that nonsense is absent instead of some time.
+  // Proves that implausible stamps give no time.
   ClockOffset clock;
   sample(clock, at(10));
   sample(clock, at(11));
@@ -83,9 +83,9 @@ TEST_CASE("a stamp from the future or from long ago is refused") {
 }
 
 TEST_CASE("this computer's wall clock is read") {
-  // Proves that the real clocks are wired: a stamp taken between two moments is converted to between them.
+  // Proves that the real clocks are used: a stamp taken between two times is converted to between them, to 5 ms.
   ClockOffset clock;
-  for (int i = 0; i < 100; ++i) { // the narrowest counts: a busy machine may stop this thread between two clocks
+  for (int i = 0; i < 100; ++i) { // the narrowest reading is used: this thread may be preempted between two clocks
     clock.sampleNow();
   }
   const TimePoint before = Clock::now();

@@ -7,7 +7,7 @@
 namespace naocal {
 namespace {
 
-/// A module that adds one to what it needs; its name is that of what it produces.
+/// Adds one to its dependency; named after its production.
 class Adder : public Module {
 public:
   Adder(const std::string& produces, const std::string& needs)
@@ -63,7 +63,7 @@ std::string wiringError(const std::vector<Thread*>& threads) {
 } // namespace
 
 TEST_CASE("modules run after those that they depend on, whatever order they were added in") {
-  // Proves the computed order by the values of one cycle.
+  // Proves the computed order by the values of two cycles.
   Thread motion{"Motion", RobotPart::body};
   auto& last = motion.add<Reader<int>>("Reader", "c");
   motion.add<Adder>("c", "b");
@@ -80,7 +80,7 @@ TEST_CASE("modules run after those that they depend on, whatever order they were
 }
 
 TEST_CASE("modules that need nothing of each other keep the order in which they were added") {
-  // Proves that the order does not change by chance.
+  // Proves a deterministic order.
   Thread motion{"Motion", RobotPart::body};
   motion.add<Adder>("z", "number");
   motion.add<Adder>("a", "number");
@@ -94,7 +94,7 @@ TEST_CASE("modules that need nothing of each other keep the order in which they 
 }
 
 TEST_CASE("wiring errors are sentences with names") {
-  // Pins the sentences: a person reads them at start-up and must know what to do.
+  // Pins the messages, which are read at start-up and must say what to do.
   Thread motion{"Motion", RobotPart::body};
   motion.add<Source>();
   SECTION("a dependency that nobody produces") {
@@ -129,7 +129,7 @@ TEST_CASE("wiring errors are sentences with names") {
 }
 
 TEST_CASE("only a history or a latest value is read by another thread") {
-  // Proves what may cross and pins the sentence about what may not, and that a latest value has one reader.
+  // Proves which productions may cross threads, the message for others, and that a Latest has one reader.
   Thread motion{"Motion", RobotPart::body}, brain{"Brain", RobotPart::head};
   motion.add<Source>();
   motion.add<Writer>();
@@ -156,7 +156,7 @@ TEST_CASE("only a history or a latest value is read by another thread") {
 }
 
 TEST_CASE("a thread counts its cycles and tells its listener what was edited in each") {
-  // Proves the statistics' counts and what a listener sees; how long cycles take is the computer's business.
+  // Proves the cycle counts and the listener's view; only plausibility of the measured times is tested.
   struct Listener : CycleListener {
     void onCycleEnd(TimePoint, const std::vector<AnyProduction*>& productions) override {
       for (const AnyProduction* production : productions) {

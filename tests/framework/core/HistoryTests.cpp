@@ -10,7 +10,7 @@
 namespace naocal {
 namespace {
 
-/// A value whose parts must belong together: torn copies show.
+/// A value with redundant parts, to detect torn reads.
 struct Pair {
   double first = 0, second = 0;
   std::array<double, 30> more{};
@@ -26,7 +26,7 @@ Pair interpolate(const Pair& from, const Pair& to, double fraction) {
 } // namespace
 
 TEST_CASE("a history knows nothing outside its entries") {
-  // Proves absence before, after and without entries, and exact ends. Threads: below.
+  // Proves absence before, after and without entries, and exact values at both ends. Threads are tested below.
   History<double, 8> history;
   CHECK_FALSE(history.at(at(0)));
   CHECK_FALSE(history.newest());
@@ -40,7 +40,7 @@ TEST_CASE("a history knows nothing outside its entries") {
 }
 
 TEST_CASE("a history forgets its oldest entries and takes none that is not newer") {
-  // Proves the bound, and that time only runs forward.
+  // Proves the capacity, and that only newer entries are accepted.
   History<double, 8> history;
   for (int i = 0; i < 100; ++i) {
     REQUIRE(history.push(at(i), i));
@@ -56,7 +56,7 @@ TEST_CASE("a history forgets its oldest entries and takes none that is not newer
 }
 
 TEST_CASE("a history interpolates between the neighbours of any time") {
-  // Proves the search against the function that was recorded, at random times and uneven steps.
+  // Compares interpolation with the recorded function, at random times and uneven steps.
   std::mt19937 random{1};
   std::uniform_real_distribution<double> step{0.001, 0.1};
   History<double, 64> history;
@@ -73,8 +73,8 @@ TEST_CASE("a history interpolates between the neighbours of any time") {
 }
 
 TEST_CASE("readers of a history never see half of an entry while it is written") {
-  // Proves it for a ring that is written a hundred thousand times over while two threads read; the thread sanitizer
-  // proves the absence of data races on the same test.
+  // Proves it for 100,000 entries written to a ring of four while two threads read; the thread sanitizer checks the same
+  // test for data races.
   History<Pair, 4> history;
   std::atomic<bool> done{false};
   std::atomic<int> torn{0};

@@ -7,7 +7,7 @@
 namespace naocal {
 
 TEST_CASE("the latest value is taken once and older ones are lost") {
-  // Proves the order of writing and taking in one thread.
+  // Proves writing and taking in one thread.
   Latest<int> latest;
   CHECK(latest.take() == nullptr);
   latest.write(1);
@@ -19,7 +19,7 @@ TEST_CASE("the latest value is taken once and older ones are lost") {
 }
 
 TEST_CASE("the latest value is handed over whole while it is written") {
-  // Proves that values grow and are whole across two threads, and that the last one arrives.
+  // Proves that across two threads values increase and are complete, and that the last one arrives.
   Latest<std::vector<int>> latest;
   std::thread writer{[&] {
     for (int i = 1; i <= 50000; ++i) {

@@ -4,7 +4,7 @@
 
 namespace naocal {
 
-/// A moment so many seconds after the clock's zero.
+/// Time in seconds after the clock's zero.
 inline TimePoint at(double value) {
   return TimePoint{} + fromSeconds(value);
 }

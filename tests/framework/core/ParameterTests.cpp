@@ -33,7 +33,7 @@ private:
 
 const nlohmann::json good = {{"speed", 0.5}, {"careful", true}, {"repeats", 3}, {"name", "wave"}, {"gains", {1, 2, 3}}};
 
-/// What was said of the last file's keys.
+/// Warnings about the last configured file's keys.
 std::vector<std::string>& unknownKeys() {
   static std::vector<std::string> unknown;
   return unknown;
@@ -61,7 +61,7 @@ std::string configurationError(const nlohmann::json& content) {
 } // namespace
 
 TEST_CASE("a module's parameters come from the file of its name") {
-  // Proves the mount's name, the file and the values.
+  // Proves mount name, file and values.
   Configured configured{good};
   CHECK(configured.player.gains() == std::vector<double>{1, 2, 3});
   CHECK(configured.player.changes == 1);
@@ -69,9 +69,9 @@ TEST_CASE("a module's parameters come from the file of its name") {
 }
 
 TEST_CASE("a change reaches a module between two cycles") {
-  // Proves that nothing changes before the next cycle begins, that the module is told of each change (of two values of
-  // one parameter that come together, of both), and that a refused value changes neither module nor configuration.
-  // Concurrent changes: below.
+  // Proves that changes take effect only at the next cycle, that the module is notified of each change, also of two
+  // changes of one parameter, and that a refused value changes neither module nor configuration. Concurrent changes are
+  // tested below.
   Configured configured{good};
   auto& [robot, motion, player] = configured;
   motion.cycle();
@@ -91,8 +91,8 @@ TEST_CASE("a change reaches a module between two cycles") {
 }
 
 TEST_CASE("changes from other threads arrive in their order while the cycle goes on") {
-  // Proves that a module never sees an older value after a newer one and sees the last one; the thread sanitizer proves
-  // the absence of data races.
+  // Proves that a module never sees an older value after a newer one and sees the last one; the thread sanitizer checks
+  // for data races.
   Configured configured{good};
   auto& [robot, motion, player] = configured;
   std::thread editor{[&configuration = robot.configuration] {
@@ -111,7 +111,7 @@ TEST_CASE("changes from other threads arrive in their order while the cycle goes
 }
 
 TEST_CASE("configuration errors are sentences with names") {
-  // Pins the sentences: module, key, what was expected and found.
+  // Pins the messages: module, key, what was expected and found.
   const auto with = [](const char* key, const nlohmann::json& value) {
     auto content = good;
     content[key] = value;
@@ -143,7 +143,7 @@ TEST_CASE("configuration errors are sentences with names") {
 }
 
 TEST_CASE("what numbers are asked to be") {
-  // Proves both ends of each check and what is no number.
+  // Proves both limits of each check, and NaN.
   const double none = std::nan("");
   CHECK(checkWithin<0, 3>(3.0).empty());
   CHECK(checkWithin<0, 3>(0).empty());
@@ -161,7 +161,8 @@ TEST_CASE("what numbers are asked to be") {
 }
 
 TEST_CASE("an order counts when it is given, whatever else changes") {
-  // Proves that a file gives none, that each SET does, also of the same value, and that other parameters do not.
+  // Proves that the file's value gives no command, that each SET gives one, also of an equal value, and that other
+  // parameters give none.
   class Runner : public Module {
   public:
     Runner() : Module{"Runner"} {}

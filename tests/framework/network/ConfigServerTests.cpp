@@ -7,13 +7,13 @@ namespace {
 
 using nlohmann::json;
 
-enum { set, getMounts, getKeys, save, sendKeys, sendMounts }; // the protocol's numbers
+enum { set, getMounts, getKeys, save, sendKeys, sendMounts }; // message types of the protocol
 
 json change(const char* mount, const char* key, const json& value) {
   return {{{"mp", mount}, {"key", key}, {"value", value}}};
 }
 
-/// A mount's keys; the answer comes after what was sent before it was done.
+/// Requests a mount's keys; the reply follows the processing of earlier messages.
 json keysOf(MateClient& client, const std::string& mount) {
   client.send(getKeys, mount);
   const json answer = client.receiveJson(sendKeys);
@@ -34,7 +34,7 @@ SocketSettings wide(const std::string& secret, bool trusted = false) {
 } // namespace
 
 TEST_CASE("what MATE asks for when it connects is answered at once") {
-  // Proves the mounts with their files, the keys of tuhhSDK.base, and an empty list for a mount that is not there.
+  // Proves the list of mounts with their files, the keys of tuhhSDK.base, and an empty list for an unknown mount.
   ShownRobot robot;
   auto client = robot.config();
   client.send(getMounts);
@@ -48,7 +48,7 @@ TEST_CASE("what MATE asks for when it connects is answered at once") {
 }
 
 TEST_CASE("a mount's keys have the bytes of HULKs' protocol") {
-  // Proves it byte for byte, put together by hand from the protocol's description.
+  // Compares every byte with a message assembled by hand from the protocol's description.
   ShownRobot robot;
   auto client = robot.config();
   client.send(getKeys, "Brain.Counter");
@@ -62,7 +62,7 @@ TEST_CASE("a mount's keys have the bytes of HULKs' protocol") {
 }
 
 TEST_CASE("a second process does not take the first one's UNIX sockets") {
-  // Proves that it is refused with a sentence, and that the first one is reached there before and after.
+  // Proves the refusal's message, and that the first process can still be reached.
   ShownRobot robot;
   SocketSettings second = robot.settings;
   second.tcp = false;
@@ -74,7 +74,7 @@ TEST_CASE("a second process does not take the first one's UNIX sockets") {
 }
 
 TEST_CASE("a value set over the network reaches the module and is saved") {
-  // Proves the way from the socket to the next cycle and into the robot's own file, by two clients, and undo.
+  // Proves the path from the socket to the next cycle and to the robot's own file, with two clients, and undo.
   ShownRobot robot;
   auto one = robot.config();
   auto two = MateClient::config(robot.settings.unixFolder / "config");
@@ -99,7 +99,7 @@ TEST_CASE("a value set over the network reaches the module and is saved") {
 }
 
 TEST_CASE("a client's last will is done when its connection ends, unless another client has taken over") {
-  // Proves both, that a broken will is a logged sentence, and that nothing of it happens before.
+  // Proves both, that an invalid last will is logged, and that the last will is not executed earlier.
   ShownRobot robot;
   auto other = robot.config();
   const auto leave = [&](double value, const std::function<void(MateClient&)>& meanwhile) {
@@ -131,7 +131,7 @@ TEST_CASE("a client's last will is done when its connection ends, unless another
 }
 
 TEST_CASE("a value that cannot be set is a logged sentence and the others are set") {
-  // Pins the sentences; the client stays connected, as MATE also sets keys that no module reads.
+  // Pins the messages. The client stays connected, as MATE also sets keys that no module has.
   ShownRobot robot;
   auto client = robot.config();
   json changes = change("Brain.Counter", "factor", "much");
@@ -147,8 +147,8 @@ TEST_CASE("a value that cannot be set is a logged sentence and the others are se
 }
 
 TEST_CASE("a robot that listens wide lets nobody change it or look without the secret") {
-  // Proves the secret's effects on both sockets of an address, that they end with the connection that sent it, and that
-  // another config connection of that address still needs it.
+  // Proves that the secret unlocks both sockets for its address, only while its connection lasts, and that another
+  // config connection from that address still needs it.
   ShownRobot robot{wide("open sesame")};
   auto debug = robot.debug();
   debug.send(0, "Brain.count");
@@ -161,7 +161,7 @@ TEST_CASE("a robot that listens wide lets nobody change it or look without the s
   CHECK(keysOf(other, "Brain.Counter")["factor"] == 0.5);
   CHECK(robot.hasLogged("setting factor of Brain.Counter was refused, as all that it asks for will be; it has not sent "
                         "the secret of access.json."));
-  CHECK_FALSE(robot.hasLogged("saving the configuration was refused")); // once is enough
+  CHECK_FALSE(robot.hasLogged("saving the configuration was refused")); // logged once per connection
   {
     auto owner = robot.config();
     owner.send(set, change("naocal.access", "secret", "open sesame").dump());
@@ -169,12 +169,12 @@ TEST_CASE("a robot that listens wide lets nobody change it or look without the s
     CHECK(keysOf(owner, "Brain.Counter")["factor"] == 3.0);
     other.send(set, change("Brain.Counter", "factor", 4.0).dump());
     CHECK(keysOf(other, "Brain.Counter")["factor"] == 3.0);
-    CHECK(debug.receiveJson(4)["keys"].size() == 6); // sent by itself
+    CHECK(debug.receiveJson(4)["keys"].size() == 6); // sent without a request
     robot.brain.cycle();
     CHECK(debug.receiveJson(2).at(0)["value"] == 2);
   }
   bool closed = false;
-  for (int i = 0; i < 1000 && !closed; ++i) { // until the owner's end has been noticed
+  for (int i = 0; i < 1000 && !closed; ++i) { // until the server has noticed the disconnection
     debug.send(3);
     closed = debug.receiveJson(4)["keys"].empty();
   }
@@ -182,7 +182,7 @@ TEST_CASE("a robot that listens wide lets nobody change it or look without the s
 }
 
 TEST_CASE("a wrong secret closes the connection") {
-  // Proves it for another text, a part of it, an empty one and a number.
+  // Proves it for another text, a prefix, an empty text, a number and a repetition.
   ShownRobot robot{wide("open sesame")};
   for (const json& secret : {json("open"), json("open sesamf"), json(""), json(7), json("open sesameopen sesame")}) {
     auto client = robot.config();
@@ -193,7 +193,8 @@ TEST_CASE("a wrong secret closes the connection") {
 }
 
 TEST_CASE("whoever has not sent the secret keeps no place from those who have it") {
-  // Proves it with two places: strangers make room, for the owner and for each other; the owner's place stays.
+  // Proves it with two places: clients without the secret are dropped for the owner and for each other; owners keep
+  // theirs.
   SocketSettings two = wide("open sesame");
   two.maxClients = 2;
   ShownRobot robot{two};
@@ -219,7 +220,7 @@ TEST_CASE("whoever has not sent the secret keeps no place from those who have it
 }
 
 TEST_CASE("on a trusted network plain MATE may do everything") {
-  // Proves the switch, and that a secret is not needed on UNIX sockets either.
+  // Proves the setting, and that UNIX sockets need no secret.
   ShownRobot trusting{wide("", true)};
   auto client = trusting.config();
   client.send(set, change("Brain.Counter", "factor", 3.0).dump());
@@ -231,7 +232,7 @@ TEST_CASE("on a trusted network plain MATE may do everything") {
 }
 
 TEST_CASE("a robot does not listen wide without a secret") {
-  // Pins the refusals of access.json, and proves that no client can read the secret.
+  // Pins the refusals of access.json. That no client can read the secret is not tested here.
   const ConfiguredRobot robot;
   const auto reading = [&](const std::string& content) {
     robot.file("default/access.json", content);
@@ -252,7 +253,7 @@ TEST_CASE("a robot does not listen wide without a secret") {
 }
 
 TEST_CASE("where the sockets listen is read from HULKs' keys") {
-  // Proves ports, switch and folder, and that a port in use is refused with a sentence.
+  // Proves ports, switch and folder, and the message for a port in use.
   const ConfiguredRobot robot;
   robot.file("default/sdk.json", R"({"network.basePort": 2000, "network.enableDebugTCPTransport": false,
                                      "local.unixSocketDirectory": "/run/robot/"})");

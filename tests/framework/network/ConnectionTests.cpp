@@ -7,7 +7,7 @@
 namespace naocal {
 namespace {
 
-/// An option of the robot's socket that is connected to a port of this process; it has answered already.
+/// Socket option of the server's connection on a port of this process. The connection must have replied already.
 int optionOfPeer(std::uint16_t listening, int level, int option) {
   int value = -1;
   for (int file = 0; file < 1024; ++file) {
@@ -29,8 +29,8 @@ int optionOfPeer(std::uint16_t listening, int level, int option) {
 } // namespace
 
 TEST_CASE("only a client of the configuration is given up when the network confirms nothing for long") {
-  // Pins the sockets' options: a debug client that does not read for a while is no client that is gone, though to the
-  // system both confirm nothing; a client of the configuration may have left a last will. Both are probed while idle.
+  // Pins the socket options: a debug client that pauses reading must not time out, although the system cannot tell it
+  // from a lost one; a configuration client must, because of its last will. Both are probed while idle.
   ShownRobot robot;
   auto debug = robot.debug();
   auto config = robot.config();
@@ -48,7 +48,8 @@ TEST_CASE("only a client of the configuration is given up when the network confi
 }
 
 TEST_CASE("the system takes no megabytes for a client whose network is slow") {
-  // Pins the option: a client is busy as soon as its network is, so that what is new need not wait behind old pictures.
+  // Pins the option: a client counts as busy as soon as its network is, so that new data need not wait behind old
+  // images.
   ShownRobot robot;
   auto debug = robot.debug();
   debug.send(3);
@@ -57,7 +58,7 @@ TEST_CASE("the system takes no megabytes for a client whose network is slow") {
 }
 
 TEST_CASE("a client that nothing can be written to is closed with a sentence") {
-  // Proves it for one that has closed its reading half only, so that reading from it would go on for ever.
+  // Proves it for a client that has closed only its receiving half, so that the server's reads never end.
   ShownRobot robot;
   const int client = ::socket(AF_UNIX, SOCK_STREAM, 0);
   sockaddr_un address{};

@@ -2,7 +2,7 @@
 
 namespace naocal {
 
-/// The debug protocol's types of messages.
+/// Message types of the debug protocol.
 enum { subscribe, unsubscribe, update, requestList, list, subscribeBulk, image };
 
 } // namespace naocal

@@ -9,13 +9,13 @@ namespace {
 
 using nlohmann::json;
 
-/// The list is answered after what was sent before it: subscriptions are in force then.
+/// Requests the list; its reply proves that earlier subscriptions are in force.
 json listed(MateClient& client) {
   client.send(requestList);
   return client.receiveJson(list);
 }
 
-/// A picture that takes as long as the test wants.
+/// An image whose encoding blocks until the test releases it.
 struct SlowPicture {
   std::shared_future<void> ready;
 };
@@ -36,7 +36,7 @@ private:
 
 using namespace std::chrono_literals;
 
-/// Shows its cycles' count always, news and pictures when the test wants.
+/// Publishes its cycle count always, `news` and images on request.
 class Reporter : public Module {
 public:
   explicit Reporter(TimePoint base) : Module{"Reporter"}, time{base} {}
@@ -61,8 +61,8 @@ private:
   Production<TestPicture> picture_{*this, "picture"};
 };
 
-/// A robot with a client that reads at once and one that reads when the test says so: behind a UNIX socket, which
-/// holds far less than a large picture.
+/// A robot with a client that reads at once and a client that reads on request, through a UNIX socket, whose buffer is
+/// far smaller than a large image.
 struct Scene {
   Scene() {
     fast.send(subscribe, "Brain.count");
@@ -80,19 +80,20 @@ struct Scene {
   }
   void cycle() {
     brain.cycle();
-    REQUIRE(fast.receiveJson(update).at(0)["value"] == ++cycles); // has gone to all clients, or will before the next
+    REQUIRE(fast.receiveJson(update).at(0)["value"] == ++cycles); // sent to all clients, at the latest before the next
+                                                                  // cycle
   }
-  /// A picture that the slow client has not read yet.
+  /// Publishes an image that blocks the slow client.
   void block() {
     reporter.picture = large;
     cycle();
   }
-  /// Reads what blocked it.
+  /// Reads the blocking image.
   void unblock() {
     CHECK(slow.receive().value().type == image);
     CHECK(values() == json{{"Brain.count", 1}});
   }
-  /// Of the next frame, which is an update.
+  /// Values of the next frame, which must be an update.
   json values() {
     json found;
     const auto frame = slow.receive();
@@ -105,7 +106,7 @@ struct Scene {
     }
     return found;
   }
-  /// The cycle of the picture in the next frame.
+  /// Cycle of the image in the next frame.
   int pictureOf() {
     const auto frame = slow.receive();
     REQUIRE(frame);
@@ -130,7 +131,7 @@ struct Scene {
 } // namespace
 
 TEST_CASE("all keys are listed before their first value") {
-  // Proves the list's form as MATE reads it, and that pictures are marked.
+  // Proves the list's format as MATE reads it, and that images are marked.
   ShownRobot robot;
   auto client = robot.debug();
   json keys;
@@ -146,7 +147,7 @@ TEST_CASE("all keys are listed before their first value") {
 }
 
 TEST_CASE("an update has the bytes of HULKs' protocol") {
-  // Proves it byte for byte for a value, put together by hand from the protocol's description.
+  // Compares every byte of an update with a message assembled by hand from the protocol's description.
   ShownRobot robot;
   auto client = robot.debug();
   client.send(subscribe, "Brain.count");
@@ -161,7 +162,7 @@ TEST_CASE("an update has the bytes of HULKs' protocol") {
 }
 
 TEST_CASE("one update holds a cycle's keys, and pictures go before it") {
-  // Proves order, form and timestamps, that only edited keys are sent, and a history's newest value.
+  // Proves order, format and timestamps, that only edited keys are sent, and a history's newest value.
   ShownRobot robot;
   auto client = robot.debug();
   client.send(subscribeBulk, R"({"keys": ["Brain.picture", "Brain.Counter.scaled", "Brain.history", "Brain.later"]})");
@@ -173,7 +174,7 @@ TEST_CASE("one update holds a cycle's keys, and pictures go before it") {
       REQUIRE(picture);
       REQUIRE(picture->type == image);
       const std::string expected = std::string("\x24\0\0\0\0\0\0\0\x80\x02\xe0\x01\x0d\0", 14) + "Brain.picture" +
-                                   std::string(100, '\x03'); // 36 ms, 640, 480, 13 letters
+                                   std::string(100, '\x03'); // 36 ms, 640, 480, 13 characters
       CHECK(picture->body == expected);
     }
     const auto values = client.receive();
@@ -186,7 +187,7 @@ TEST_CASE("one update holds a cycle's keys, and pictures go before it") {
 }
 
 TEST_CASE("nothing is copied that nobody subscribed to") {
-  // Proves that subscribing, unsubscribing and leaving reach the production.
+  // Proves that subscribing, unsubscribing and disconnecting reach the production.
   ShownRobot robot;
   const AnyProduction* count = robot.database.find("Brain.count");
   CHECK_FALSE(count->isWanted());
@@ -202,14 +203,14 @@ TEST_CASE("nothing is copied that nobody subscribed to") {
     CHECK(count->isWanted());
   }
   for (int i = 0; i < 1000 && count->isWanted(); ++i) {
-    listed(first); // until the second one's end has been noticed
+    listed(first); // until the server has noticed the second one's disconnection
   }
   CHECK_FALSE(count->isWanted());
 }
 
 TEST_CASE("a client that never reads neither blocks the cycle nor starves the others") {
-  // Proves it by going on: pictures of a megabyte for a client that reads nothing and for one that reads all. The fast
-  // one gets every cycle because the test waits for it; the slow one gets whole frames only, and fewer.
+  // Proves it with images of 1 MiB for a client that reads nothing and one that reads everything. The fast one gets
+  // every cycle, since the test waits for it; the slow one gets fewer, but only whole frames.
   ShownRobot robot;
   robot.counter.pictureSize = 1 << 20;
   auto slow = robot.debug();
@@ -230,7 +231,7 @@ TEST_CASE("a client that never reads neither blocks the cycle nor starves the ot
     }
     REQUIRE(frame);
     REQUIRE(json::parse(frame->body).at(0)["value"] == cycle);
-    listed(fast); // nothing is on its way to it any more
+    listed(fast); // no frame is on its way any more
   }
   CHECK(pictures == cycles / 3);
   slow.send(requestList);
@@ -243,7 +244,8 @@ TEST_CASE("a client that never reads neither blocks the cycle nor starves the ot
 }
 
 TEST_CASE("a thread whose pictures take long does not hold up the other thread's values") {
-  // Proves the turns: eight pictures wait when the value comes, and few of them are sent before it.
+  // Proves that threads take turns: eight images are queued when the value arrives, and at most four are sent before
+  // it.
   const ConfiguredRobot robot;
   std::promise<void> ready;
   Thread brain{"Brain", RobotPart::head}, motion{"Motion", RobotPart::body};
@@ -269,7 +271,7 @@ TEST_CASE("a thread whose pictures take long does not hold up the other thread's
 }
 
 TEST_CASE("a client that asks and never reads is closed") {
-  // Proves the limit on what waits for one client, with the sentence. The rate's limit is out of the way.
+  // Proves the limit of the send queue, and the message. The rate limit is disabled.
   ShownRobot robot{{.messagesPerSecond = 1e9}};
   auto client = robot.debug();
   std::string requests;
@@ -283,7 +285,7 @@ TEST_CASE("a client that asks and never reads is closed") {
 }
 
 TEST_CASE("many clients over both kinds of sockets get the same") {
-  // Proves it for eight clients, UNIX and TCP.
+  // Proves it for eight clients, half of them on UNIX sockets.
   ShownRobot robot;
   std::vector<MateClient> clients;
   for (int i = 0; i < 4; ++i) {
@@ -303,7 +305,7 @@ TEST_CASE("many clients over both kinds of sockets get the same") {
 }
 
 TEST_CASE("what changed once while a client was busy reaches it with the next cycle, in its newest state") {
-  // Proves it for a value that is produced in no later cycle, with the time of its own cycle, and once only.
+  // Proves it for a value that is not published again: it is sent once, with the time of its own cycle.
   Scene scene;
   scene.block();
   for (const int value : {6, 7}) {
@@ -320,7 +322,7 @@ TEST_CASE("what changed once while a client was busy reaches it with the next cy
 }
 
 TEST_CASE("what a busy client does not want any more is not sent to it") {
-  // Proves that what waits is bounded by what is subscribed to.
+  // Proves that the queue is bounded by the subscriptions.
   Scene scene;
   scene.block();
   scene.reporter.news = 6;
@@ -334,7 +336,7 @@ TEST_CASE("what a busy client does not want any more is not sent to it") {
 }
 
 TEST_CASE("values that a client missed go before the pictures of the cycle that finds it ready") {
-  // Proves the order, and that a newer picture replaces the one that waits.
+  // Proves the order, and that a newer image replaces a queued one.
   Scene scene;
   scene.block();
   scene.reporter.news = 6;
@@ -350,8 +352,8 @@ TEST_CASE("values that a client missed go before the pictures of the cycle that 
 }
 
 TEST_CASE("a picture that is not renewed reaches a client that was busy when it was taken") {
-  // Proves that the newest one comes, once, when a second of the robot's time has passed: until then one that is
-  // renewed would come with its own cycle's values.
+  // Proves that the newest image is sent once, after one second of the robot's time; an image published earlier would
+  // be sent with the values of its own cycle.
   Scene scene;
   scene.block();
   for (int i = 0; i < 2; ++i) {

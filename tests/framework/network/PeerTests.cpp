@@ -15,7 +15,7 @@ namespace {
 
 using nlohmann::json;
 
-/// A client of a network that takes everything and says nothing.
+/// A network client that accepts all data and sends nothing.
 class QuietPeer : public Peer {
 public:
   void send(std::shared_ptr<const std::string>) override {}
@@ -26,7 +26,7 @@ private:
   std::string address_ = "10.1.24.7";
 };
 
-/// Memory in which one client follows another at the same address, as happens by itself on a busy robot.
+/// Memory in which one client follows another at the same address, as it may happen on a busy robot.
 struct OnePlace {
   std::shared_ptr<Peer> next() {
     return {new (memory) QuietPeer, [](QuietPeer* peer) { peer->~QuietPeer(); }};
@@ -34,7 +34,7 @@ struct OnePlace {
   alignas(QuietPeer) std::byte memory[sizeof(QuietPeer)];
 };
 
-/// A protocol that counts the frames of clients that are there, and of those that have ended.
+/// Protocol that counts frames of open and of closed clients.
 struct Counted : Protocol {
   const FrameFormat& format() const override { return debugFormat; }
   void onOpened(Peer&) override {}
@@ -45,7 +45,7 @@ struct Counted : Protocol {
   bool isClosed = false;
 };
 
-/// One connection to which a frame with a body was sent, driven step by step.
+/// A connection with one pending frame, driven step by step.
 struct SteppedConnection {
   SteppedConnection() {
     REQUIRE(::socketpair(AF_UNIX, SOCK_STREAM, 0, ends) == 0);
@@ -74,8 +74,8 @@ std::string secretMessage(const std::string& secret) {
 } // namespace
 
 TEST_CASE("a frame that was read before its connection ended is dropped") {
-  // Proves it at each step on the way of a frame, the last one before it is handled among them: it is read then, and
-  // ending the connection no longer stops it.
+  // Proves it for an end at each step of a frame's processing, including the last one, when the frame has been read and
+  // ending the connection cannot stop it.
   int steps = 0;
   SteppedConnection undisturbed;
   for (; undisturbed.protocol.timely == 0; ++steps) {
@@ -96,7 +96,7 @@ TEST_CASE("a frame that was read before its connection ended is dropped") {
 }
 
 TEST_CASE("a debug client that has left wants nothing any more, whatever still comes from it") {
-  // Proves it for every kind of request, at the server itself; a cycle after it would write to freed memory.
+  // Proves it for every kind of request, at the server itself; the next cycle would write to freed memory.
   ShownRobot robot;
   robot.sockets.reset();
   Access access{{}};
@@ -117,8 +117,8 @@ TEST_CASE("a debug client that has left wants nothing any more, whatever still c
 }
 
 TEST_CASE("a client at the address in memory of one that showed the secret has not shown it") {
-  // Proves it for a secret that arrives after its connection has ended, and for a server that was never told of the
-  // end; nor does such a client keep its network address open, or leave a will.
+  // Proves it for a secret that arrives after the end of its connection, and for a server that was not notified of the
+  // end. Such a client neither keeps its network address unlocked nor leaves a last will.
   ConfiguredRobot robot;
   robot.file("default/head/default/Counter.json", R"({"factor": 0.5})");
   robot.configuration.mount("Brain.Counter", "Counter.json", RobotPart::head);
@@ -148,10 +148,10 @@ TEST_CASE("a client at the address in memory of one that showed the secret has n
 }
 
 TEST_CASE("clients that come, ask and leave at once leave nothing behind while values flow", "[slow]") {
-  // Proves it over real sockets: the robot cycles for a second and a half for one that looks at it, while hundreds of
-  // others subscribe, ask for the list, unsubscribe and leave without reading, in MATE's frames. What is left behind
-  // shows as a production that is wanted when all have gone, or ends this program.
-  ShownRobot robot{{.maxClients = 2000}}; // those that have left may not be noticed at once
+  // Proves it with real sockets: for 1.5 s the robot cycles for one client, while hundreds of others subscribe, request
+  // the list, unsubscribe and disconnect without reading, in MATE's frames. A leftover subscription shows as a wanted
+  // production, or crashes this program.
+  ShownRobot robot{{.maxClients = 2000}}; // disconnected clients may be noticed late
   auto onlooker = robot.debug();
   onlooker.send(subscribe, "Brain.count");
   std::string requests = onlooker.frame(subscribe, "Brain.Counter.scaled");
@@ -186,7 +186,7 @@ TEST_CASE("clients that come, ask and leave at once leave nothing behind while v
   const auto wanted = [&](const char* key) {
     const AnyProduction* production = robot.database.find(key);
     for (int i = 0; i < 1000 && production->isWanted(); ++i) {
-      last.send(requestList); // until the ends of all have been noticed
+      last.send(requestList); // until the server has noticed all disconnections
       last.receive(list);
     }
     return production->isWanted();

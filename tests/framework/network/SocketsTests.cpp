@@ -8,7 +8,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Whether both servers still answer a well-behaved client.
+/// Whether both servers still reply to a correct client.
 bool isAlive(const ShownRobot& robot) {
   auto debug = robot.debug();
   debug.send(3);
@@ -25,7 +25,7 @@ std::string withByte(std::string bytes, std::size_t index, int value) {
 } // namespace
 
 TEST_CASE("a bad frame closes its client with a sentence and nobody else") {
-  // Pins the sentences for each part of a header and for bodies that are not what their type asks for.
+  // Pins the messages for each field of a header, and for bodies that do not match their type.
   ShownRobot robot;
   auto bystander = robot.debug();
   const auto refused = [&](MateClient client, const std::string& bytes, const std::string& sentence) {
@@ -56,9 +56,9 @@ TEST_CASE("a bad frame closes its client with a sentence and nobody else") {
 }
 
 TEST_CASE("random bytes and broken frames never stop the servers") {
-  // Proves it for a thousand clients whose bytes are noise, or good frames with some bytes changed or cut off, while
-  // the robot cycles. Memory errors are the sanitizers' to find on the same test.
-  ShownRobot robot{{.maxClients = 2000}}; // those that have left may not be noticed at once
+  // Proves it for a thousand clients that send noise, or correct frames modified or truncated, while the robot cycles.
+  // Memory errors are detected by the sanitizers on this test.
+  ShownRobot robot{{.maxClients = 2000}}; // disconnected clients may be noticed late
   std::mt19937 random{1};
   const auto below = [&](std::size_t bound) {
     return std::uniform_int_distribution<std::size_t>{0, bound - 1}(random);
@@ -86,7 +86,7 @@ TEST_CASE("random bytes and broken frames never stop the servers") {
 }
 
 TEST_CASE("there are limits on clients and on what one may ask per second") {
-  // Proves both with their sentences; a client that leaves makes room.
+  // Proves both limits, with their messages; a client that disconnects makes room.
   ShownRobot robot{{.maxClients = 2, .messagesPerSecond = 50}};
   auto first = robot.debug();
   {
@@ -108,7 +108,7 @@ TEST_CASE("there are limits on clients and on what one may ask per second") {
 }
 
 TEST_CASE("a client may subscribe to what does not exist, but not without end") {
-  // Proves the limit that keeps one client from filling the robot's memory.
+  // Proves the limits on the number of subscriptions and the length of keys, which bound the robot's memory.
   ShownRobot robot{{.messagesPerSecond = 1e9}};
   auto client = robot.debug();
   for (int i = 0; i <= 1000; ++i) {

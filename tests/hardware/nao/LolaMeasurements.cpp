@@ -9,7 +9,7 @@
 using namespace naocal;
 using namespace std::chrono_literals;
 
-// Measures; proves nothing.
+// Measurement; proves nothing.
 TEST_CASE("how long a reconnection and a cycle take", "[.measure]") {
   const TemporaryFolder folder;
   LolaRobot robot{folder.path() / "robocup"};

@@ -12,7 +12,7 @@ std::span<const std::uint8_t> bytesOf(const std::string& text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 
-/// Brightness that tells which light it is.
+/// Brightness values that identify their light.
 template <std::size_t Count> std::array<Rgb, Count> lights(float first) {
   std::array<Rgb, Count> result;
   for (std::size_t i = 0; i < Count; ++i) {
@@ -41,7 +41,8 @@ template <std::size_t Count> std::vector<float> redsGreensBlues(const std::array
 
 } // namespace
 
-// Proves sizes, names, places and units of a state against an encoder of the test's own. Not that LoLA is as described.
+// Proves sizes, names, positions and units of a state against the test's own encoder. The description of LoLA is taken
+// as correct.
 TEST_CASE("a state of 896 bytes is understood: every number arrives at its joint and sensor") {
   const std::string message = twin::state(12345);
   REQUIRE(message.size() == lolaStateSize);
@@ -69,7 +70,7 @@ TEST_CASE("a state of 896 bytes is understood: every number arrives at its joint
   CHECK(state.battery.temperature == twin::reported("Battery", 3, 12345));
 }
 
-// Proves the order of what can be touched.
+// Proves the order of the touch sensors.
 TEST_CASE("each of the fourteen touch sensors is understood as its own") {
   const std::array<bool Touch::*, 14> wire{&Touch::chestButton,   &Touch::headFront,      &Touch::headMiddle,
                                            &Touch::headRear,      &Touch::leftFootLeft,   &Touch::leftFootRight,
@@ -85,8 +86,8 @@ TEST_CASE("each of the fourteen touch sensors is understood as its own") {
   }
 }
 
-// Proves that what is cut, lengthened or bent in its structure is refused by a sentence. A number that was changed is
-// not noticed: the protocol has no checksum.
+// Proves that truncated, extended or structurally damaged messages are refused. A changed number is not noticed: the
+// protocol has no checksum.
 TEST_CASE("a message that is no whole state is refused, wherever it is broken") {
   const std::string good = twin::state(7);
   for (std::size_t length = 0; length < good.size(); ++length) {
@@ -104,7 +105,7 @@ TEST_CASE("a message that is no whole state is refused, wherever it is broken") 
   CHECK(refused > 11 * 200); // names, lengths and types are about a quarter of a state
 }
 
-// Proves every byte of a command against an encoder of the test's own.
+// Compares every byte of a command with the test's own encoder.
 TEST_CASE("a command has 786 bytes in LoLA's order, and motors without stiffness are switched off") {
   RobotCommand command;
   for (std::size_t joint = 0; joint < jointCount; ++joint) {
@@ -148,14 +149,14 @@ TEST_CASE("a command has 786 bytes in LoLA's order, and motors without stiffness
   expect(expected, "Stiffness", stiffness);
 
   LolaCommandWriter writer;
-  for (int repeat = 0; repeat < 2; ++repeat) { // the second time the document is there already
+  for (int repeat = 0; repeat < 2; ++repeat) { // the second time the buffer is reused
     const auto message = writer.encode(command);
     REQUIRE(message.size() == lolaCommandSize);
     CHECK((std::string(message.begin(), message.end()) == expected.bytes));
   }
 }
 
-// Proves that no motor is ever sent something that is no number, which MessagePack could carry.
+// Proves that no command with NaN or infinity is encoded, which MessagePack would allow. Lights may be NaN.
 TEST_CASE("a command with an angle that is no finite number is not written") {
   LolaCommandWriter writer;
   for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e300}) {

@@ -13,7 +13,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-/// Which state it is, by an angle; absent when any number belongs to another state.
+/// Sequence number of a state, from one angle; absent if any other number belongs to another state.
 std::optional<std::uint32_t> sequenceOf(const RobotState& state, std::uint32_t atLeast, std::uint32_t atMost) {
   for (std::uint32_t sequence = atLeast; sequence <= atMost; ++sequence) {
     if (state.angles[0] == twin::reported("Position", 0, sequence)) {
@@ -29,7 +29,7 @@ std::optional<std::uint32_t> sequenceOf(const RobotState& state, std::uint32_t a
   return std::nullopt;
 }
 
-/// $NAOCAL_LOLA_STATES, or few enough for every day.
+/// Number of states: $NAOCAL_LOLA_STATES, or 20,000 by default.
 std::uint32_t stateCount() {
   const char* wanted = std::getenv("NAOCAL_LOLA_STATES");
   return wanted ? std::uint32_t(std::strtoul(wanted, nullptr, 10)) : 20'000;
@@ -47,8 +47,8 @@ void sendInFragments(twin::Server& server, std::string_view bytes, std::mt19937&
 
 } // namespace
 
-// Proves that no byte is lost or misplaced over many states, whatever the fragments: every state is given or counted.
-// NAOCAL_LOLA_STATES=1000000 makes it a million.
+// Proves that no byte is lost or misplaced over many states, for random fragments: every state is delivered or counted
+// as lost. NAOCAL_LOLA_STATES=1000000 runs a million.
 TEST_CASE("states in random fragments are all received, in order and in step") {
   const TemporaryFolder folder;
   twin::Server server{folder.path() / "robocup"};
@@ -81,12 +81,11 @@ TEST_CASE("states in random fragments are all received, in order and in step") {
   CHECK(next == count);
   CHECK(robot->status().states + robot->status().lostStates == count);
   CHECK(robot->status().reconnects == 0);
-  robot.reset(); // so that the sender ends in any case
+  robot.reset(); // lets the sender end after a failure
   sender.join();
 }
 
-// Proves that the robot gets every command whole and in order, even when it reads them late, and that the newest state
-// is what a late program gets. A million cycles take as many commands.
+// Proves that the robot receives one complete command per state, in order. Late readers are tested below.
 TEST_CASE("every state is answered by a whole command") {
   const TemporaryFolder folder;
   twin::Server server{folder.path() / "robocup"};
@@ -115,7 +114,7 @@ TEST_CASE("every state is answered by a whole command") {
   CHECK(whole == count);
 }
 
-// Proves that a robot which does not read its commands neither blocks the program nor is sent halves of them.
+// Proves that a robot that does not read its commands neither blocks the program nor receives partial ones.
 TEST_CASE("commands that the robot does not take are dropped whole", "[slow]") {
   const TemporaryFolder folder;
   twin::Server server{folder.path() / "robocup"};
@@ -130,7 +129,7 @@ TEST_CASE("commands that the robot does not take are dropped whole", "[slow]") {
   int sent = 0;
   for (; sent < 5000; ++sent) {
     command.angles[0] = sent;
-    robot->send(command); // far more than the socket holds
+    robot->send(command); // far more than the socket's buffer holds
   }
   std::atomic<int> taken = 0;
   bool good = true;
@@ -146,7 +145,7 @@ TEST_CASE("commands that the robot does not take are dropped whole", "[slow]") {
       last = angle;
     }
   }};
-  const int kept = 100; // surely fewer than the socket held
+  const int kept = 100; // fewer than the socket's buffer holds
   for (; taken < kept + 1000; ++sent) {
     command.angles[0] = sent;
     robot->send(command);
@@ -158,8 +157,8 @@ TEST_CASE("commands that the robot does not take are dropped whole", "[slow]") {
   CHECK(taken < sent);
 }
 
-// Proves that after any number of closes at any byte the program is connected and in step again, and that nothing but
-// whole states gets through. How quickly is measured by the hidden case below.
+// Proves that after closes at random bytes the program reconnects in step, and that only complete states are delivered.
+// LolaMeasurements.cpp measures the time to reconnect.
 TEST_CASE("sudden closes in the middle of states are survived") {
   const TemporaryFolder folder;
   LolaRobot robot{folder.path() / "robocup"};
@@ -168,7 +167,7 @@ TEST_CASE("sudden closes in the middle of states are survived") {
   std::thread sender{[&] {
     std::mt19937 random{2};
     for (std::uint32_t session = 0; session < sessions; ++session) {
-      twin::Server server{folder.path() / "robocup"}; // sometimes the socket itself is gone
+      twin::Server server{folder.path() / "robocup"}; // the socket file is also recreated
       for (int connection = 0; connection < 3; ++connection) {
         server.accept();
         const std::string bytes = twin::state(session) + twin::state(session) + twin::state(session);
@@ -176,7 +175,7 @@ TEST_CASE("sudden closes in the middle of states are survived") {
       }
       server.accept();
       server.send(twin::state(session));
-      server.receive(lolaCommandSize); // the state has arrived
+      server.receive(lolaCommandSize); // waits until the state has been answered
     }
     over = true;
   }};
@@ -196,8 +195,8 @@ TEST_CASE("sudden closes in the middle of states are survived") {
   CHECK(robot.status().reconnects >= 2 * sessions);
 }
 
-// Proves that bytes which were lost, added or are no messages at all never become angles, and that the stream is in
-// step again after them. A number that was changed in place cannot be noticed: the protocol has no checksum.
+// Proves that lost, inserted or random bytes never become a state, and that the stream resynchronises. A number changed
+// in place cannot be noticed: the protocol has no checksum.
 TEST_CASE("garbage between and within states never becomes a state", "[slow]") {
   const TemporaryFolder folder;
   twin::Server server{folder.path() / "robocup"};
@@ -224,7 +223,7 @@ TEST_CASE("garbage between and within states never becomes a state", "[slow]") {
         std::generate(bytes.begin(), bytes.end(), [&] { return char(random()); });
       }
       sendInFragments(server, bytes, random);
-      server.accept(); // whatever became of that connection: the next one is good
+      server.accept(); // accepts the reconnection, if any; the next data are correct
       while (wholeSeen < round + 1) {
         if (!server.send(twin::state(2 * round + 1))) {
           server.accept();
@@ -249,7 +248,7 @@ TEST_CASE("garbage between and within states never becomes a state", "[slow]") {
   sender.join();
 }
 
-// Proves that a robot which is not there yet, or is gone, is said so in a sentence, and that waiting ends.
+// Proves the message for a missing robot, and that waiting times out.
 TEST_CASE("a robot whose socket is not there is absent, with a sentence") {
   const TemporaryFolder folder;
   LolaRobot robot{folder.path() / "robocup"};

@@ -14,8 +14,8 @@
 #include <unistd.h>
 #include <vector>
 
-/// A second opinion on LoLA: its messages byte by byte, written from the protocol's description, without any of the
-/// code under test and without a MessagePack library.
+/// Independent LoLA encoder: messages byte by byte from the protocol's description, without the code under test and
+/// without a MessagePack library.
 namespace naocal::twin {
 
 inline constexpr std::array<std::string_view, 25> names{
@@ -24,7 +24,7 @@ inline constexpr std::array<std::string_view, 25> names{
     "RHipPitch",    "RKneePitch", "RAnklePitch",    "RAnkleRoll",    "RShoulderPitch", "RShoulderRoll", "RElbowYaw",
     "RElbowRoll",   "RWristYaw",  "LHand",          "RHand"};
 
-/// Appends MessagePack.
+/// Encodes MessagePack.
 struct Writer {
   std::string bytes;
 
@@ -52,13 +52,13 @@ struct Writer {
   }
 };
 
-/// What the twin's robot reports: entry `i` of a list in the `sequence`-th state.
+/// Value reported by the twin's robot: entry `i` of a list in state number `sequence`.
 inline float reported(std::string_view list, std::size_t i, std::uint32_t sequence) {
   const float place = float(list.size()) + 0.01f * float(i);
   return list == "Touch" ? float((sequence >> i) & 1) : place + 1e-4f * float(sequence % 9973);
 }
 
-/// A state whose entry `i` of a list is `number(list, i)`; that of "Status" is a small whole number.
+/// A state in which entry `i` of a list is `number(list, i)`; entries of "Status" are small whole numbers.
 template <typename Number> std::string stateOf(const Number& number) {
   Writer out;
   out.byte(0x8d);
@@ -96,7 +96,8 @@ inline std::string state(std::uint32_t sequence) {
 
 /// Entry `i` of a list of numbers in a command.
 inline float commanded(std::string_view command, std::string_view list, std::size_t i) {
-  const std::string key = std::string{char(0xa0 | list.size())} + std::string{list} + "\xdc"; // a list of 16 or more
+  const std::string key = std::string{char(0xa0 | list.size())} + std::string{list} + "\xdc"; // a list of 16 entries or
+                                                                                              // more
   const std::size_t at = command.find(key);
   if (at == std::string_view::npos || at + key.size() + 2 + 5 * (i + 1) > command.size()) {
     throw std::runtime_error{"the command has no such list"};
@@ -110,7 +111,7 @@ inline float commanded(std::string_view command, std::string_view list, std::siz
   return value;
 }
 
-/// The listening side of LoLA's socket, for one connection at a time.
+/// Server side of LoLA's socket; one connection at a time.
 class Server {
 public:
   explicit Server(std::filesystem::path path) : path_{std::move(path)} {
@@ -135,7 +136,7 @@ public:
     hangUp();
     connection_ = ::accept(listening_, nullptr, nullptr);
   }
-  /// Ends a wait for a connection, and all that would follow.
+  /// Ends waiting accept() calls, now and later.
   void stopListening() { shutdown(listening_, SHUT_RDWR); }
   void hangUp() {
     if (connection_ >= 0) {
@@ -143,7 +144,7 @@ public:
       connection_ = -1;
     }
   }
-  /// False when the other side has gone.
+  /// False if the peer has disconnected.
   bool send(std::string_view bytes) {
     while (!bytes.empty()) {
       const ssize_t count = ::send(connection_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
@@ -154,19 +155,19 @@ public:
     }
     return true;
   }
-  /// As many bytes as asked for; fewer when the other side has gone.
+  /// Reads `count` bytes; fewer if the peer has disconnected.
   std::string receive(std::size_t count) {
     std::string bytes(count, '\0');
     const ssize_t got = recv(connection_, bytes.data(), count, MSG_WAITALL);
     bytes.resize(got > 0 ? std::size_t(got) : 0);
     return bytes;
   }
-  /// Whether the other side says something within this time.
+  /// Whether the peer sends data within this time.
   bool hears(int milliseconds) {
     pollfd file{connection_, POLLIN, 0};
     return poll(&file, 1, milliseconds) > 0;
   }
-  /// Throws away what the other side sent.
+  /// Discards received data.
   void forget() {
     std::array<char, 8192> bytes;
     while (recv(connection_, bytes.data(), bytes.size(), MSG_DONTWAIT) > 0) {

@@ -16,7 +16,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-/// NAOqi's side, as the module in nao/naoqi does it.
+/// NAOqi's side of the shared memory, as implemented by the module in nao/naoqi.
 class BlockTwin {
 public:
   BlockTwin() {
@@ -39,7 +39,7 @@ public:
   }
   static std::string name() { return "/naocal-test-" + std::to_string(getpid()); }
 
-  /// Every number of the state tells which one it is and where it stands.
+  /// Every number of the state identifies its position and sequence number.
   void measure(std::uint32_t sequence) {
     shared::State state{};
     float* numbers = state.angles;
@@ -59,12 +59,11 @@ public:
 
 } // namespace
 
-// Proves that the process side finds every number where the robot's side puts it. Not that NAOqi's devices are as
-// named.
+// Proves that both sides agree on the position of the numbers. The names of NAOqi's devices are not covered.
 TEST_CASE("a V5's state arrives through shared memory with all its numbers") {
   BlockTwin twin;
   SharedMemoryRobot robot{BlockTwin::name()};
-  CHECK(!robot.waitForState(0ms)); // nothing was measured since it looked
+  CHECK(!robot.waitForState(0ms)); // nothing measured since the start
   std::thread naoqi{[&] {
     std::this_thread::sleep_for(5ms);
     twin.measure(3);
@@ -89,8 +88,8 @@ TEST_CASE("a V5's state arrives through shared memory with all its numbers") {
   CHECK(robot.status().problem.empty());
 }
 
-// Proves that states are whole and in order while the robot's side writes as quickly as it can, and that none is
-// missing in the count.
+// Proves that states are complete and in order while the robot's side writes at full speed, and that all are delivered
+// or counted.
 TEST_CASE("states that were overwritten while they were read are never given", "[slow]") {
   BlockTwin twin;
   SharedMemoryRobot robot{BlockTwin::name()};
@@ -122,7 +121,7 @@ TEST_CASE("states that were overwritten while they were read are never given", "
   CHECK(inOrder);
 }
 
-// Proves which numbers the robot's side finds for motors and lights.
+// Proves the positions of a command's stiffness and light values.
 TEST_CASE("a V5's command arrives whole, and one that is not finite does not") {
   BlockTwin twin;
   SharedMemoryRobot robot{BlockTwin::name()};
@@ -151,7 +150,7 @@ TEST_CASE("a V5's command arrives whole, and one that is not finite does not") {
   CHECK(shared::newest(twin.block->commands, twin.block->commandCount, received) == 1);
 }
 
-// Proves that a NAOqi which is not there, has another version or is started anew is waited for. How long is not proved.
+// Proves that a missing, incompatible or restarted NAOqi is waited for. The waiting time is not tested.
 TEST_CASE("shared memory that is missing, foreign or made anew is said so and mended") {
   SharedMemoryRobot robot{BlockTwin::name()};
   CHECK(!robot.waitForIdentity(10ms));
@@ -181,8 +180,8 @@ TEST_CASE("shared memory that is missing, foreign or made anew is said so and me
   CHECK(robot.status().reconnects == 1);
 }
 
-// Proves that the module's lists of devices are as long as the block's and name no device twice but the one motor of
-// both hip yaw-pitches. The module itself is built with the vendor's SDK only and was not run.
+// Proves that the module's device lists match the block's size and list no device twice except the motor of both hip
+// yaw-pitches. The module itself requires the vendor's SDK and is not run.
 TEST_CASE("NAOqi's devices are as many as the shared block has numbers") {
   const Keys sensors = sensorKeys(), lights = lightKeys();
   CHECK(sensors.size() == BlockTwin::numberCount);

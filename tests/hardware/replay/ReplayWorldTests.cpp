@@ -18,7 +18,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-/// A recorded set in whose pictures every pixel is the number of the capture.
+/// A recorded set; all pixels of an image have the value 10 + capture id.
 CaptureSet recorded(const std::filesystem::path& folder) {
   SimulationPlan plan;
   plan.images = true;
@@ -27,7 +27,7 @@ CaptureSet recorded(const std::filesystem::path& folder) {
   plan.poses = planStandingPoses(v6(), SimulationPlan{}, SupportFoot::left, 3, 1);
   CaptureSet set = simulate(v6(), plan, 1).set;
   for (Capture& capture : set.captures) {
-    capture.time = Seconds{std::round(1e9 * capture.time.count()) / 1e9}; // as from a clock
+    capture.time = Seconds{std::round(1e9 * capture.time.count()) / 1e9}; // whole nanoseconds, as from a clock
   }
   std::filesystem::create_directories(folder / "images");
   for (const Capture& capture : set.captures) {
@@ -65,8 +65,7 @@ Played played(ReplayWorld& world) {
 
 } // namespace
 
-// Proves that whoever pairs pictures with joints gets for every capture exactly the readings and the picture that were
-// recorded, and its time again.
+// Proves that pairing images and joints reproduces exactly the recorded readings, image and time of every capture.
 TEST_CASE("a replayed picture meets exactly the readings that were recorded with it") {
   const TemporaryFolder folder;
   const CaptureSet set = recorded(folder.path() / "session");
@@ -91,11 +90,11 @@ TEST_CASE("a replayed picture meets exactly the readings that were recorded with
     CHECK(toGreyImage(frame)->grey(5, 7) == 10 + capture->id);
     CHECK(toString(frame.camera) == capture->camera);
     CHECK(toSeconds(middle.time_since_epoch()) == capture->time.count());
-    CHECK(std::next(state) != result.states.end()); // the moment lies within what was measured
+    CHECK(std::next(state) != result.states.end()); // the time is inside the recorded span
   }
 }
 
-// Proves that a replay has no gaps and is the same every time.
+// Proves that states are at most 24 ms apart, and that replays are reproducible.
 TEST_CASE("a replayed robot reports every twelve milliseconds at the latest, and the same every time") {
   const TemporaryFolder folder;
   recorded(folder.path() / "session");
@@ -114,7 +113,7 @@ TEST_CASE("a replayed robot reports every twelve milliseconds at the latest, and
                  [](const CameraFrame& a, const CameraFrame& b) { return a.time == b.time && a.camera == b.camera; }));
 }
 
-// Proves that what cannot be replayed is refused before anything runs.
+// Proves that a set that cannot be replayed is refused at construction.
 TEST_CASE("a set without pictures, or whose pictures are gone, cannot be replayed") {
   const TemporaryFolder folder;
   CaptureSet set = recorded(folder.path() / "session");
@@ -126,7 +125,7 @@ TEST_CASE("a set without pictures, or whose pictures are gone, cannot be replaye
   CHECK_THROWS_AS(ReplayWorld{folder.path() / "empty"}, InputError);
 }
 
-// Proves that a picture of another size than its camera's is no picture.
+// Proves that an image of another size than its camera's gives no frame content.
 TEST_CASE("a replayed picture that was exchanged for one of another size is absent") {
   const TemporaryFolder folder;
   const CaptureSet set = recorded(folder.path() / "session");

@@ -10,10 +10,9 @@
 using namespace naocal;
 using namespace std::chrono_literals;
 
-// Proves that pictures and joints of the hardware's interfaces share one clock: the head's angle, interpolated between
-// states of 12 ms in the middle of an exposure, is the true one to within a millisecond of its motion, with jitter of
-// the pictures and pictures that are lost. The encoder is made fine: its steps are another matter. The world's own
-// motion is linear within 3 ms.
+// Proves that images and joints share one clock: the head's angle, interpolated between states of 12 ms at the middle
+// of an exposure, is wrong by less than 1 ms of its motion, with jitter and lost images. The encoder is configured
+// finer, so that its steps do not matter. The simulated motion is linear within 3 ms.
 TEST_CASE("joints interpolated at a picture's exposure are those of that moment to a millisecond") {
   SimulatedPlan plan;
   plan.pace = Pace::quick;
@@ -54,7 +53,7 @@ TEST_CASE("joints interpolated at a picture's exposure are those of that moment 
     const auto truth = world.jointsAt(middle), before = world.jointsAt(middle - 12ms),
                after = world.jointsAt(middle + 12ms);
     if (!angle || !truth || !before || !after) {
-      continue; // the first ones
+      continue; // too early
     }
     const double speed = ((*after)[inDrawing] - (*before)[inDrawing]) / 0.024;
     if (std::abs(speed) > 1) {

@@ -20,7 +20,7 @@ const Eigen::Vector3d upright = Eigen::Vector3d::UnitZ();
 
 } // namespace
 
-// Proves where a body rests and that it stays there.
+// Proves the plane and height of a stable body.
 TEST_CASE("a table stands on its feet") {
   const auto resting = findRestingPlane(table(), {0.05, -0.05, -0.1}, upright, 0.4);
   REQUIRE(resting);
@@ -28,7 +28,7 @@ TEST_CASE("a table stands on its feet") {
   CHECK(resting->height == Approx(-0.5));
 }
 
-// Proves that a body tilts onto the face below its centre of mass, by the angle that geometry says.
+// Proves that a body tilts onto the face below its centre of mass, by the geometric angle.
 TEST_CASE("a table with one short leg tilts onto it where its weight is") {
   std::vector<Eigen::Vector3d> feet = table();
   feet[0].z() += 0.02;
@@ -40,7 +40,7 @@ TEST_CASE("a table with one short leg tilts onto it where its weight is") {
   CHECK((away->up - upright).norm() < 1e-12);
 }
 
-// Proves the criterion of a fall.
+// Proves the criterion for falling.
 TEST_CASE("a body whose centre of mass is beside its feet, or that would have to tilt far, does not rest") {
   CHECK(!findRestingPlane(table(), {0.101, 0, -0.1}, upright, 0.4));
   CHECK(!findRestingPlane(table(), {0, -0.2, -0.1}, upright, 0.4));
@@ -49,8 +49,8 @@ TEST_CASE("a body whose centre of mass is beside its feet, or that would have to
   CHECK(!findRestingPlane(feet, {0.05, 0.05, -0.1}, upright, 0.4));
 }
 
-// Proves on random weights that a sole carries exactly what lies over its outline: poses/ asks the same of planned
-// poses.
+// Proves on random centres of mass that a sole supports exactly those above its outline, the criterion that poses/ uses
+// for planned poses.
 TEST_CASE("on one sole a robot stands where its centre of mass is over the outline") {
   const std::vector<Eigen::Vector2d>& outline = v6().findSole("left")->outline;
   std::vector<Eigen::Vector3d> points;

@@ -22,7 +22,7 @@ void run(Servo& servo, double seconds, double torque, RandomStream& chance) {
 
 } // namespace
 
-// Proves the limits of speed and travel.
+// Proves the limits of speed and range.
 TEST_CASE("a servo turns no faster than its motor and no farther than its stops") {
   RandomStream chance{1, "servo"};
   Servo servo{knee(), 0, {}, 0};
@@ -37,7 +37,8 @@ TEST_CASE("a servo turns no faster than its motor and no farther than its stops"
   CHECK(std::abs(servo.motor() - knee().limits.upper) <= ServoMechanics{}.startBand);
 }
 
-// Proves stiction: a motor stops short of its target on the side it comes from, and small steps do not move it.
+// Proves stiction: a motor stops short of its target on the side it comes from, and commands within the start band do
+// not move it.
 TEST_CASE("a servo stops short of its target and ignores what is smaller than its friction") {
   RandomStream chance{1, "servo"};
   double sum = 0;
@@ -59,7 +60,7 @@ TEST_CASE("a servo stops short of its target and ignores what is smaller than it
   CHECK(sum > 0.3 * ServoMechanics{}.stopBand);
 }
 
-// Proves gravity's sag, more of it with less stiffness.
+// Proves the deflection under a torque, inversely proportional to stiffness.
 TEST_CASE("a servo yields to a torque, the more the less stiff it is") {
   ServoMechanics frictionless;
   frictionless.stopBand = frictionless.startBand = 0;
@@ -72,7 +73,7 @@ TEST_CASE("a servo yields to a torque, the more the less stiff it is") {
   }
 }
 
-// Proves on which side of its gear's play a joint stands: a torque decides, and where there is none the last motion.
+// Proves the side of the gear's play: that of the torque, or, without torque, of the last motion.
 TEST_CASE("a joint stands on the torque's side of its gear's play, and without a torque behind the last motion") {
   constexpr double play = 0.01;
   RandomStream chance{1, "servo"};
@@ -92,7 +93,7 @@ TEST_CASE("a joint stands on the torque's side of its gear's play, and without a
   }
 }
 
-// Proves that a motor without stiffness does not move by itself.
+// Proves that a motor without stiffness does not move.
 TEST_CASE("a servo that is switched off stays where it is") {
   RandomStream chance{1, "servo"};
   Servo servo{knee(), 0, {}, 0.4};

@@ -19,7 +19,7 @@ SimulatedPlan inItsOwnTime() {
   return plan;
 }
 
-/// Plays `cycles` cycles of `angles(cycle)` and hands every picture to `see`, in two threads.
+/// Plays `cycles` cycles of `angles(cycle)` in one thread; passes every image to `see` in another.
 template <typename Angles, typename See>
 void play(SimulatedWorld& world, int cycles, const Angles& angles, const See& see) {
   const auto robot = world.robot();
@@ -47,7 +47,7 @@ RawAngles standing(int) {
   return SimulatedPlan::standingAngles();
 }
 
-/// What the camera sees at a moment.
+/// Present pose of a camera in the world.
 Eigen::Isometry3d worldFromCamera(const SimulatedWorld& world, const SyntheticRobot& robot, std::size_t camera) {
   const auto truth = world.truth();
   return truth.worldFromTorso * robot.torsoFromCamera(camera, truth.joints);
@@ -55,7 +55,7 @@ Eigen::Isometry3d worldFromCamera(const SimulatedWorld& world, const SyntheticRo
 
 } // namespace
 
-// Proves rates, order and numbers of pictures of a world whose time is its own, and that it is the same every time.
+// Proves rate, order and numbers of images in a world with its own time, and reproducibility.
 TEST_CASE("a quick world gives both cameras thirty pictures a second, none skipped, the same every time") {
   std::array<std::vector<TimePoint>, 2> times;
   std::array<std::vector<std::uint8_t>, 2> pictures;
@@ -72,7 +72,7 @@ TEST_CASE("a quick world gives both cameras thirty pictures a second, none skipp
         pictures[round].insert(pictures[round].end(), bytes.begin(), bytes.end());
       }
     });
-    CHECK(times[round].size() >= 176); // 3 s but for what is on its way
+    CHECK(times[round].size() >= 176); // 3 s, except images still in progress
     CHECK(times[round].size() <= 180);
   }
   CHECK(times[0] == times[1]);
@@ -80,7 +80,7 @@ TEST_CASE("a quick world gives both cameras thirty pictures a second, none skipp
   CHECK(pictures[0] == pictures[1]);
 }
 
-// Proves that lost pictures are gaps and counted, and that jitter is in the stamps.
+// Proves that lost images are gaps and counted, and that time stamps jitter.
 TEST_CASE("pictures that a simulated driver loses are gaps in the sequence") {
   SimulatedPlan plan = inItsOwnTime();
   plan.cameras.lostShare = 0.2;
@@ -104,7 +104,7 @@ TEST_CASE("pictures that a simulated driver loses are gaps in the sequence") {
   CHECK(late);
 }
 
-// Proves that pictures show the boards where the true camera is: the robot's errors are in them.
+// Proves that images show the boards as seen from the true camera, including the robot's errors.
 TEST_CASE("a detector finds the boards in a simulated picture where they are") {
   const SimulatedPlan plan = inItsOwnTime();
   SimulatedWorld world{v6(), plan};
@@ -132,7 +132,7 @@ TEST_CASE("a detector finds the boards in a simulated picture where they are") {
   CHECK(corners > 10);
 }
 
-// Proves that somebody else's slow camera loop does not stop a quick world for ever, nor a missing one at all.
+// Proves that a quick world runs without a camera loop. A slow camera loop is not tested.
 TEST_CASE("a quick world without a camera loop goes on") {
   SimulatedWorld world{v6(), inItsOwnTime()};
   const auto robot = world.robot();
@@ -142,7 +142,7 @@ TEST_CASE("a quick world without a camera loop goes on") {
   CHECK(robot->status().states == 100);
 }
 
-// Proves that blocked cameras give nothing and say so, and that time goes on meanwhile.
+// Proves that a blocked camera gives no images and reports it, and that time goes on.
 TEST_CASE("a camera that gives no pictures leaves the other one alone") {
   SimulatedWorld world{v6(), inItsOwnTime()};
   world.block(CameraName::top, true);
@@ -152,7 +152,7 @@ TEST_CASE("a camera that gives no pictures leaves the other one alone") {
   });
 }
 
-// Proves that both sides work in two threads at the wall's pace; how exactly they keep it is measured elsewhere.
+// Proves that both sides work in two threads in real time; the accuracy of the pace is not tested.
 TEST_CASE("a world at the wall's pace gives states and pictures to two threads") {
   SimulatedPlan plan;
   plan.offsetRange = 0;
@@ -171,8 +171,8 @@ TEST_CASE("a world at the wall's pace gives states and pictures to two threads")
   CHECK(!world.jointsAt(began - 10ms));
 }
 
-// Proves rolling shutter: with the head turning, a corner lies where the camera was when its row was exposed, not where
-// it was when the first or the last row was.
+// Proves rolling shutter: with the head turning, a corner is projected at the exposure time of its row, not of the
+// first or last row.
 TEST_CASE("rows of a simulated picture are exposed one after the other") {
   SimulatedPlan plan = inItsOwnTime();
   plan.offsetRange = plan.mountRange = 0;
@@ -187,13 +187,13 @@ TEST_CASE("rows of a simulated picture are exposed one after the other") {
     return angles;
   };
   std::size_t corners = 0;
-  Eigen::Vector2d atRow = Eigen::Vector2d::Zero(), atFirst = atRow, atLast = atRow; // mean misplacement
+  Eigen::Vector2d atRow = Eigen::Vector2d::Zero(), atFirst = atRow, atLast = atRow; // mean errors
   play(world, 140, turning, [&](const CameraFrame& frame, const CameraInterface&) {
     if (frame.camera != CameraName::bottom || frame.sequence < 30 || frame.sequence > 36) {
       return;
     }
     const Detection detection = detectBoards(*toGreyImage(frame), plan.boards, intrinsics);
-    const Eigen::Isometry3d worldFromTorso = world.truth().worldFromTorso; // still: only the head turns
+    const Eigen::Isometry3d worldFromTorso = world.truth().worldFromTorso; // constant: only the head turns
     for (const BoardCorners& found : detection.boards) {
       const auto board =
           std::find_if(plan.boards.begin(), plan.boards.end(), [&](auto& one) { return one.id == found.board; });

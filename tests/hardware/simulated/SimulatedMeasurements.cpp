@@ -8,7 +8,7 @@
 using namespace naocal;
 using namespace std::chrono_literals;
 
-// Measures; proves nothing.
+// Measurement; proves nothing.
 TEST_CASE("how a simulated robot fares and what it costs", "[.measure]") {
   const Robot& drawing = v6();
   SimulationPlan poses;

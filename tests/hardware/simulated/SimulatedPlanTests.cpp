@@ -19,7 +19,7 @@ SimulatedPlan read(const std::string& text) {
 
 } // namespace
 
-// Proves that what is given is taken in its unit and the rest is left.
+// Proves units and values of given keys, and defaults of the others.
 TEST_CASE("a simulated robot is described by a file, of which everything may be missing") {
   CHECK(read("{}").offsetRange == SimulatedPlan{}.offsetRange);
   const SimulatedPlan plan = read(R"({"seed": 7, "pace": "quick", "offsetRangeDegrees": 3, "playRangeDegrees": 0.5,
@@ -36,7 +36,7 @@ TEST_CASE("a simulated robot is described by a file, of which everything may be 
   CHECK(plan.boards.front().placement->x == 0.5);
 }
 
-// Proves that slips are refused with their place.
+// Proves that wrong keys and values are refused by name.
 TEST_CASE("a simulated robot's file with a wrong key or value is refused") {
   CHECK_THROWS_WITH(read(R"({"seeds": 7})"), Catch::Contains("seeds"));
   CHECK_THROWS_WITH(read(R"({"offsetRangeDegrees": -1})"), Catch::Contains("offsetRangeDegrees"));
@@ -45,7 +45,7 @@ TEST_CASE("a simulated robot's file with a wrong key or value is refused") {
   CHECK_THROWS_AS(read("{"), InputError);
 }
 
-// Proves that hidden errors keep to their ranges, repeat with the seed and differ between robots.
+// Proves that hidden errors are within their ranges, reproducible by seed, and differ between seeds.
 TEST_CASE("a simulated robot's errors are its seed's") {
   SimulatedPlan plan;
   plan.playRange = radians(0.5);

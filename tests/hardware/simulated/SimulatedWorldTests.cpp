@@ -50,7 +50,7 @@ std::size_t of(const char* joint) {
 
 } // namespace
 
-// Proves what encoders say of joints: motor + offset in steps of a 4096th turn, and the joint beside it by the gear.
+// Proves the encoder model: motor angle + offset, in steps of 1/4096 turn; the joint itself differs by the gear's play.
 TEST_CASE("a simulated robot goes where it is told but for its offsets, and its encoders do not know of them") {
   SimulatedWorld world{v6(), quick()};
   const auto robot = world.robot();
@@ -65,7 +65,7 @@ TEST_CASE("a simulated robot goes where it is told but for its offsets, and its 
     const double shown = state.angles[*jointIndex(name)];
     const double offset = world.errors().robot.jointOffsets[Eigen::Index(joint)];
     CHECK(std::abs(shown / encoderStep - std::round(shown / encoderStep)) < 1e-9);
-    CHECK(std::abs(shown - target[*jointIndex(name)]) < radians(0.6)); // friction, droop, dither
+    CHECK(std::abs(shown - target[*jointIndex(name)]) < radians(0.6)); // friction, droop and dither
     CHECK(std::abs(truth.joints[Eigen::Index(joint)] + offset - shown) <=
           world.errors().play[joint] / 2 + encoderStep / 2 + 5 * radians(0.007));
   }
@@ -73,8 +73,8 @@ TEST_CASE("a simulated robot goes where it is told but for its offsets, and its 
   CHECK(robot->waitForIdentity(0ms)->bodyId == "synthetic-1");
 }
 
-// Proves that the simulated floor and poses/ agree on which poses a robot with unknown offsets can take, and that the
-// measured forces are the robot's weight.
+// Proves that simulation and poses/ agree on stable poses for robots with unknown offsets, and that the measured forces
+// add up to the robot's weight.
 TEST_CASE("robots with unknown offsets stand in poses that were planned for them") {
   const auto poses = planStandingPoses(v6(), SimulationPlan{}, SupportFoot::right, 4, 1);
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
@@ -89,12 +89,13 @@ TEST_CASE("robots with unknown offsets stand in poses that were planned for them
       for (const double force : state.forces) {
         weight += force;
       }
-      CHECK(weight == Approx(5.36).margin(0.8)); // sensors cannot pull, so edges show more
+      CHECK(weight == Approx(5.36).margin(0.8)); // sensors cannot measure pulling forces, so edges read more
     }
   }
 }
 
-// Proves that a robot falls when its centre of mass leaves the sole, feels it, and stays down.
+// Proves that a robot falls when its centre of mass leaves the sole, that its sensors show it, and that it does not get
+// up.
 TEST_CASE("a simulated robot falls over when its pose is not stable") {
   SimulatedPlan plan = quick();
   plan.offsetRange = 0;
@@ -112,8 +113,8 @@ TEST_CASE("a simulated robot falls over when its pose is not stable") {
   CHECK(world.truth().fallen);
 }
 
-// Proves that a robot whose eyes ask for it is held where it would fall, with its lower sole flat on the floor, and
-// falls when it is let go, unless it stands by itself then.
+// Proves that a robot whose eyes have the hold colour is held in an unstable pose, with its lower sole flat on the
+// floor, and falls when released unless it is stable then.
 TEST_CASE("a simulated robot is held as long as its eyes are yellow") {
   SimulatedPlan plan = quick();
   plan.offsetRange = 0;
@@ -144,7 +145,7 @@ TEST_CASE("a simulated robot is held as long as its eyes are yellow") {
   }
 }
 
-// Proves that a sole that carries the robot does not slide.
+// Proves that the supporting sole does not slide.
 TEST_CASE("the support foot stays where it is while the rest of the robot moves") {
   SimulatedPlan plan = quick(3);
   plan.start = raw(planStandingPoses(v6(), SimulationPlan{}, SupportFoot::left, 1, 2).front().angles);
@@ -168,7 +169,7 @@ TEST_CASE("the support foot stays where it is while the rest of the robot moves"
   CHECK(before.translation().y() == Approx(halfFootDistance));
 }
 
-// Proves that motors warm up under load.
+// Proves that motors heat up under load.
 TEST_CASE("a motor that carries gets warmer than one that does not") {
   SimulatedPlan plan = quick();
   plan.mechanics.thermalTimeConstant = 5;

@@ -19,40 +19,40 @@
 
 namespace naocal {
 
-/// A kernel with cameras of the test's making. It insists on the order of calls that real drivers insist on.
+/// Fake kernel with configurable cameras. Enforces the order of calls that real drivers require.
 class FakeVideo : public VideoSystem {
 public:
   struct Control {
     int minimum = 0, maximum = 255, value = 0;
-    int stubborn = 0; // how many settings it ignores
+    int stubborn = 0; // number of settings to ignore
   };
   struct Camera {
     bool present = true;
-    bool wallClock = false; // says nothing of its clock
+    bool wallClock = false; // time stamps without the monotonic flag
     std::map<std::uint32_t, Control> controls;
     std::map<std::uint8_t, std::uint16_t> extensions; // by selector
-    std::map<unsigned long, int> failures;            // of a request: how many, with EINVAL
-    std::uint32_t width = 640, height = 480;          // that it offers
-    bool broken = false;                              // its stream has failed: EIO until it is closed
+    std::map<unsigned long, int> failures;            // by request: number of failures with EINVAL
+    std::uint32_t width = 640, height = 480;          // size offered by the driver
+    bool broken = false;                              // stream has failed: EIO until closed
     std::uint32_t sequence = 0;
     int opened = 0;
-    std::function<void()> opening; // called by each attempt
+    std::function<void()> opening; // called on each attempt
 
     int file = -1;
     bool formatted = false, streaming = false;
     std::vector<std::vector<std::uint8_t>> memory;
     std::deque<std::uint32_t> free;
     std::deque<v4l2_buffer> filled;
-    std::vector<std::uint32_t> order; // requests, as they came
+    std::vector<std::uint32_t> order; // requests in order
   };
   std::map<std::string, Camera> cameras;
-  std::size_t mapped = 0; // buffers
+  std::size_t mapped = 0; // number of mapped buffers
 
-  /// A camera exposes a picture whose bytes are all `grey`; without a free buffer it is lost.
+  /// Exposes an image with all bytes `grey`; lost if no buffer is free.
   void expose(Camera& camera, std::uint8_t grey, std::chrono::nanoseconds time, std::uint32_t flags = 0) {
     expose(camera, std::vector<std::uint8_t>(2 * camera.width * camera.height, grey), time, flags);
   }
-  /// One of these bytes.
+  /// Exposes an image with these bytes.
   void expose(Camera& camera, std::span<const std::uint8_t> picture, std::chrono::nanoseconds time,
               std::uint32_t flags = 0) {
     const std::uint32_t sequence = camera.sequence++;

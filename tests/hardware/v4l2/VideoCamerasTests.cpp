@@ -8,7 +8,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-/// Two cameras behind a fake kernel, opened and without pictures yet.
+/// Two cameras on a fake kernel, open and without images.
 struct Scene {
   Scene() {
     for (std::size_t i = 0; i < 2; ++i) {
@@ -26,7 +26,7 @@ struct Scene {
     }
     return *opened;
   }
-  /// Until something comes; reopening takes its tenth of a second.
+  /// Waits for a frame, at most 5 s; reopening takes 0.1 s.
   std::optional<CameraFrame> next() { return cameras().waitForFrame(5s); }
 
   FakeVideo video;
@@ -36,7 +36,7 @@ struct Scene {
 
 } // namespace
 
-// Proves the order of calls, as drivers want it.
+// Proves the order of calls that drivers require.
 TEST_CASE("a camera is told its format, gets buffers and settings, and then streams") {
   Scene scene;
   scene.options[0].controls = {{"gain", V4L2_CID_GAIN, 33}};
@@ -58,7 +58,7 @@ TEST_CASE("a camera is told its format, gets buffers and settings, and then stre
   CHECK(scene.top().file == -1);
 }
 
-// Proves which picture is given: the newest of each camera, of both cameras the older.
+// Proves which image is delivered: the newest of each camera, the older one of both cameras first.
 TEST_CASE("of several pictures the newest is given, of two cameras' pictures the older") {
   Scene scene;
   scene.cameras();
@@ -74,11 +74,11 @@ TEST_CASE("of several pictures the newest is given, of two cameras' pictures the
   CHECK(second->picture->bytes().size() == 2 * 640 * 480);
   CHECK(second->sequence == 1);
   CHECK(scene.cameras().status(CameraName::top).skipped == 1);
-  CHECK(scene.top().free.size() == 4); // all buffers are the driver's again
+  CHECK(scene.top().free.size() == 4); // all buffers are queued again
   CHECK(!scene.cameras().waitForFrame(0ms));
 }
 
-// Proves the books: what was given, skipped, damaged and lost is what was exposed, also where the driver's count wraps.
+// Proves the counts: delivered + skipped + damaged + lost = exposed, also when the driver's sequence number wraps.
 TEST_CASE("every exposed picture is accounted for, also when the driver's count starts at its end") {
   Scene scene;
   scene.cameras();
@@ -86,7 +86,7 @@ TEST_CASE("every exposed picture is accounted for, also when the driver's count 
   std::uint64_t last = 0;
   for (int i = 0; i < 200; ++i) {
     scene.video.expose(scene.top(), std::uint8_t(i), 1ms * i, i % 7 == 4 ? V4L2_BUF_FLAG_ERROR : 0);
-    if (i % 50 > 6) { // else it runs out of buffers
+    if (i % 50 > 6) { // otherwise it runs out of buffers
       while (const auto frame = scene.cameras().waitForFrame(0ms)) {
         CHECK(frame->picture->bytes().front() == std::uint8_t(frame->sequence));
         last = frame->sequence;
@@ -100,21 +100,21 @@ TEST_CASE("every exposed picture is accounted for, also when the driver's count 
   CHECK(last == 199);
 }
 
-// Proves that a bad buffer, a refused one and a dead stream are survived, each as the driver reports it.
+// Proves recovery from a buffer that is refused once or twice and from a failed stream.
 TEST_CASE("a camera whose stream fails is opened anew, and its pictures go on counting") {
   Scene scene;
   scene.cameras();
   scene.video.expose(scene.top(), 1, 1s);
   CHECK(scene.next()->sequence == 0);
 
-  scene.top().failures[VIDIOC_QBUF] = 1; // once: asked again
+  scene.top().failures[VIDIOC_QBUF] = 1; // once: retried
   scene.video.expose(scene.top(), 2, 2s);
   CHECK(scene.next()->sequence == 1);
   CHECK(scene.top().opened == 1);
 
   scene.top().failures[VIDIOC_QBUF] = 2;
   scene.video.expose(scene.top(), 3, 3s);
-  CHECK(scene.next()->sequence == 2); // was whole before
+  CHECK(scene.next()->sequence == 2); // received completely before the failure
   CHECK(scene.cameras().status(CameraName::top).problem ==
         "/dev/top (top camera): it does not take its buffers back: Invalid argument");
 
@@ -131,7 +131,7 @@ TEST_CASE("a camera whose stream fails is opened anew, and its pictures go on co
   }
 }
 
-// Proves that one camera's absence, for whatever reason, is a sentence and not the other one's trouble.
+// Proves that a missing camera gives a message and does not affect the other one.
 TEST_CASE("a camera that is unplugged is waited for while the other one goes on") {
   Scene scene;
   scene.cameras();
@@ -156,8 +156,8 @@ TEST_CASE("a camera that is unplugged is waited for while the other one goes on"
   CHECK(scene.next()->picture->bytes().front() == 9);
 }
 
-// Proves that a camera whose buffers filled meanwhile is not taken for one that hangs, and that attempts keep their
-// distance, however long each takes; not how late pictures are.
+// Proves that a camera whose buffers fill up meanwhile is not taken for hanging, and that attempts are at least 100 ms
+// apart. The images' delay is not tested.
 TEST_CASE("a camera whose opening takes over a second is not the other one's trouble", "[slow]") {
   Scene scene;
   scene.bottom().present = false;
@@ -184,7 +184,7 @@ TEST_CASE("a camera whose opening takes over a second is not the other one's tro
   CHECK(begins[1] - ends[0] >= 100ms);
 }
 
-// Proves that one that is open and silent is closed and opened again; how soon is not measured.
+// Proves that an open but silent camera is closed and reopened; the time this takes is not measured.
 TEST_CASE("a camera that gives no picture for a second is opened anew", "[slow]") {
   Scene scene;
   scene.cameras();
@@ -197,7 +197,7 @@ TEST_CASE("a camera that gives no picture for a second is opened anew", "[slow]"
   CHECK(scene.bottom().opened == 1);
 }
 
-// Proves that opening fails cleanly at each of its steps, and succeeds as soon as it can.
+// Proves that a failure at each step of opening is handled, and that opening succeeds later.
 TEST_CASE("a camera that fails while it is opened is closed and tried again") {
   for (const unsigned long request : {VIDIOC_S_FMT, VIDIOC_REQBUFS, VIDIOC_QUERYBUF, VIDIOC_STREAMON}) {
     Scene scene;
@@ -219,7 +219,7 @@ TEST_CASE("a camera that fails while it is opened is closed and tried again") {
         "/dev/top (top camera): it offers 320 x 480 pixels in 640 bytes a row instead of 640 x 480 in YUYV");
 }
 
-// Proves read-back and retry, limits, flips of both models, and that pictures are taken all the same.
+// Proves read-back and retry, limits, the flips of both models, and that images are still delivered.
 TEST_CASE("a setting is read back, tried again, and said when it is refused") {
   Scene scene;
   scene.options[0].controls = {{"exposure", V4L2_CID_EXPOSURE_ABSOLUTE, 100}};
@@ -243,7 +243,7 @@ TEST_CASE("a setting is read back, tried again, and said when it is refused") {
   scene.top().controls[V4L2_CID_EXPOSURE_ABSOLUTE].stubborn = 0;
   scene.cameras().configure(CameraName::top, {{"exposure", 70}});
   CHECK(scene.top().controls[V4L2_CID_EXPOSURE_ABSOLUTE].value == 70);
-  scene.cameras().configure(CameraName::top, {}); // as the model's cameras are
+  scene.cameras().configure(CameraName::top, {}); // the model's defaults
   CHECK(scene.top().controls[V4L2_CID_EXPOSURE_ABSOLUTE].value == 100);
   scene.video.expose(scene.top(), 1, 1s);
   CHECK(scene.next());
@@ -256,7 +256,7 @@ TEST_CASE("a setting is read back, tried again, and said when it is refused") {
   CHECK(!videoControlId("zoom"));
 }
 
-// Proves that stamps of the wall clock, as a V5's driver gives them, become those of the clock that joints have.
+// Proves that wall-clock time stamps, as of a V5's driver, are converted to the clock of the joints.
 TEST_CASE("a picture that is stamped with the wall clock is placed among the joints") {
   Scene scene;
   scene.top().wallClock = true;
@@ -266,6 +266,6 @@ TEST_CASE("a picture that is stamped with the wall clock is placed among the joi
   const TimePoint after = Clock::now();
   const auto frame = scene.next();
   REQUIRE(frame);
-  CHECK(frame->time >= before - 1ms); // microseconds, and reading two clocks
+  CHECK(frame->time >= before - 1ms); // microsecond resolution, and reading two clocks
   CHECK(frame->time <= after + 1ms);
 }

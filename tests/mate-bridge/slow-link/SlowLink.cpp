@@ -1,5 +1,5 @@
-// A slow network between this namespace and another one: two TUN devices and, between them, packets that take their
-// time, of which some are lost, as the kernel's netem does where it is built in. Runs until it is ended.
+// Emulates a slow network between this network namespace and another one: two TUN devices with delay, loss and rate
+// limit between them, as the kernel's netem where available. Runs until terminated.
 // Usage: slow_link NAMESPACE DELAY_MS LOSS_PERCENT KBIT_PER_SECOND; devices: slow0 here, slow1 there.
 
 #include <array>
@@ -35,7 +35,7 @@ int device(const char* name) {
   return file;
 }
 
-/// One direction: a queue that is served at a rate, then the way.
+/// One direction: a rate-limited queue, then a delay.
 class Way {
 public:
   Way(int from, int to, Clock::duration delay, double loss, double bytesPerSecond)
@@ -62,7 +62,7 @@ public:
   }
 
 private:
-  static constexpr double longestQueue = 64e3; // of a router [bytes]; what comes then is lost
+  static constexpr double longestQueue = 64e3; // a router's queue [bytes]; further packets are lost
   struct Packet {
     Clock::time_point due;
     std::vector<char> bytes;

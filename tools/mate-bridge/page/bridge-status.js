@@ -1,4 +1,4 @@
-// Connection status in the header, and the notice when the bridge is gone.
+// Connection status in the header, and the notice after losing the bridge.
 import {at} from "naocal/lib/dom.js";
 import {notice, state} from "./core/state.js";
 import {refreshStop} from "./robots/controls.js";
@@ -26,7 +26,7 @@ export function showLink(connected, gone) {
   wasConnected = connected;
 }
 
-// A restarted bridge has another token and usually another port: this page cannot reach it.
+// A restarted bridge has a new token and usually another port, so this page cannot reach it.
 async function otherBridge() {
   const answer = await fetch(location.pathname).catch(() => null);
   if (saidSo || (answer && answer.ok)) return;

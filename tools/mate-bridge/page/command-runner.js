@@ -1,9 +1,9 @@
-// Tools: runs the terminal's commands and shows the command line.
+// Tools view: runs naocal commands and shows the command line.
 import {button, element, empty} from "naocal/lib/dom.js";
 import {on} from "./core/connection.js";
 import {act} from "./core/state.js";
 
-// A field: `flag` (none: a positional argument), `value` (initial), `options` (a choice), `check` (a switch), `opens` (the panel can open it).
+// Field: `flag` (absent: positional argument), `value` (initial), `options` (select), `check` (switch), `opens` (a path that the panel can open).
 const modelFields = [{flag: "--with", label: "add effects", value: ""}, {flag: "--without", label: "leave effects out", value: ""}, {flag: "--model", label: "model file", value: ""},
   {flag: "--same-place", label: "boards and stances of equal names are at the same place in all sets", check: true}, {flag: "--skip-bad", label: "skip unusable captures", check: true}];
 const commands = [
@@ -38,7 +38,7 @@ const commands = [
     fields: [{flag: "--robots", label: "robots", value: "10"}, {flag: "--seed", label: "seed", value: "1"}]},
   {words: ["effects"], name: "List effects", what: "Every effect of the catalogue: formula, unknowns, required data.", fields: []},
 ];
-const typed = new Map(); // by command and field
+const typed = new Map(); // input by command and field
 let chosen = commands[0], further = "", told = null, fresh = () => {};
 
 on("errand", message => { told = message; fresh(); });
@@ -46,7 +46,7 @@ on("errand", message => { told = message; fresh(); });
 const keyOf = field => chosen.name + "/" + field.label;
 const valueOf = field => typed.get(keyOf(field)) ?? (field.check ? false : field.options ? field.options[0] : field.value);
 
-// Words of the command line, defaults included.
+// The command line's words, including defaults.
 function wordsNow() {
   const words = [...chosen.words];
   for (const field of chosen.fields) {
@@ -81,7 +81,7 @@ export function showTools(parent) {
     output.textContent = told.lines.join("\n");
     output.hidden = !told.lines.join("");
     if (atEnd) output.scrollTop = output.scrollHeight;
-    const place = [0, 3].includes(told.exitCode) && placeWritten(told.words); // 3: done, but not to be used
+    const place = [0, 3].includes(told.exitCode) && placeWritten(told.words); // exit code 3: completed, but the result is not usable
     opened.replaceChildren(...(place ? [button("Open " + place, () => act({do: "open", paths: [place.startsWith("/") ? place : told.folder + "/" + place]}))] : []));
   };
   parent.replaceChildren(element("h1", {}, "Tools"),
@@ -96,7 +96,7 @@ export function showTools(parent) {
   fresh();
 }
 
-// Path that the last command wrote and the panel can open.
+// Path written by the last command, if the panel can open it.
 function placeWritten(words) {
   const command = commands.find(one => one.words.every((word, i) => words[i] === word)), field = command?.fields.find(({opens}) => opens);
   return command && field && (field.flag ? words[words.indexOf(field.flag) + 1] : words[command.words.length]);

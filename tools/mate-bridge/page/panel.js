@@ -23,7 +23,7 @@ import {leaveLive, onMessage as onLiveMessage, showLive} from "./robots/live.js"
 import {onMessage as onRobotMessage, selectedRobot} from "./robots/robots.js";
 
 
-// `kinds`: messages after which a view is redrawn; `worked`: called when the bridge begins or ends a task.
+// `kinds`: messages after which a view is redrawn; `worked`: called when the bridge starts or ends a task.
 const views = [
   {id: "compare", name: "Compare", show: showCompare, kinds: ["fit"], laboratory: true},
   {id: "learn", name: "Learn", show: showLearn, kinds: ["fit", "questions"], laboratory: true},
@@ -37,10 +37,10 @@ const views = [
   {id: "keys", name: "Configuration", show: showKeys, kinds: []},
   {id: "tools", name: "Tools", show: showTools, kinds: []},
 ];
-const keyed = ["1", "2", "3", "4", "5", "6", "7", "8", "9", "0", "t"]; // the views' keys
+const keyed = ["1", "2", "3", "4", "5", "6", "7", "8", "9", "0", "t"]; // keyboard shortcuts of the views
 /** @type {any} */
 let current;
-let complete = false; // whether everything that a view of the laboratory shows was told
+let complete = false; // whether all data of the laboratory's views have arrived
 
 function go(id) {
   if (location.hash === "#" + id) open();
@@ -88,10 +88,10 @@ function draw() {
   if (!at("model").hidden) showModel(at("model"));
 }
 
-// The view needs answers for this model that the bridge is still computing.
+// Whether the view needs results for this model that the bridge is still computing.
 const awaitsAnswers = () => Boolean(current && current.laboratory && complete && current.kinds.includes("questions") && !state.questions && !state.unfitted);
 
-// Shows the previous model's answers, dimmed and inert, until those for this model arrive.
+// Shows the previous model's results, dimmed and inert, until those for this model arrive.
 function showEarlier(view) {
   state.questions = state.earlier;
   try {
@@ -109,20 +109,20 @@ function sayWaiting(note) {
   note.textContent = waitingWords(state.fit);
   note.classList.add("busy");
   clearTimeout(note.late);
-  if (!state.work) note.late = setTimeout(() => { // between two works it is idle for a moment
+  if (!state.work) note.late = setTimeout(() => { // the bridge is briefly idle between two tasks
     note.textContent = "These answers are for the previous model; those for this one did not arrive.";
     note.classList.remove("busy");
   }, 2000);
 }
 
-// Messages about the open captures; questions belong to the fit before them.
+// Messages about the open captures; "questions" refer to the preceding "fit".
 const laboratoryKinds = ["set", "ladder", "fit", "unfitted", "questions", "found", "next", "compared"];
 const forget = kinds => kinds.forEach(kind => { state[kind] = null; });
 for (const kind of laboratoryKinds) {
   on(kind, message => {
     if (kind === "fit") state.earlier = state.questions || state.earlier;
     state[kind] = message;
-    if (kind === "fit") forget(["unfitted", "questions", "next", "compared"]); // they were said of another
+    if (kind === "fit") forget(["unfitted", "questions", "next", "compared"]); // these refer to the previous fit
     redraw(kind);
   });
 }
@@ -131,12 +131,12 @@ function redraw(kind) {
   if (current.kinds.includes(kind) || (current.laboratory && !complete)) draw();
   else if (!at("model").hidden) showModel(at("model"));
 }
-on("hello", ({laboratory}) => { // what it knows of the laboratory follows
+on("hello", ({laboratory}) => { // the laboratory's messages follow
   forget([...laboratoryKinds, "earlier"]);
   state.laboratory = laboratory;
   open();
 });
-on("opened", () => { // other captures lie on the desk
+on("opened", () => { // other captures were opened
   forget([...laboratoryKinds, "earlier"]);
   state.laboratory = true;
   state.chosen = null;

@@ -15,11 +15,11 @@
 #include <unistd.h>
 #include <vector>
 
-/// The kernel's virtual video driver from the other side: its controls, which make it misbehave, and its output, which
-/// its capture shows again. Written without the code under test.
+/// Access to the kernel's virtual video driver (vivid): controls that inject failures, and the output that is looped
+/// back to its capture device. Independent of the code under test.
 namespace naocal::vivid {
 
-/// A device file, open as long as this object.
+/// RAII device file.
 class Node {
 public:
   explicit Node(const char* path) : file_{open(path, O_RDWR | O_NONBLOCK)} {
@@ -38,7 +38,7 @@ public:
     }
   }
 
-  /// A control by the name that the driver gives it.
+  /// A control by its name in the driver.
   v4l2_queryctrl control(std::string_view name) const {
     v4l2_queryctrl query{};
     query.id = V4L2_CTRL_FLAG_NEXT_CTRL;
@@ -61,8 +61,7 @@ private:
 
 inline constexpr int webcam = 0, hdmi = 3; // inputs, by input_types=0xe4
 
-/// Shows one picture again and again at an output, from which the capture node of the same device takes it (input
-/// hdmi).
+/// Shows one image repeatedly at an output that is looped back to the capture device (input hdmi).
 class Feeder {
 public:
   Feeder(const char* capture, const char* output, const std::vector<std::uint8_t>& picture) : output_{output} {
@@ -120,7 +119,7 @@ public:
   }
 
 private:
-  /// 640 x 480, 60 a second (DMT, CEA-861).
+  /// 640 x 480 at 60 Hz (DMT, CEA-861).
   static v4l2_dv_timings vga() {
     v4l2_dv_timings timings{};
     timings.type = V4L2_DV_BT_656_1120;

@@ -29,7 +29,7 @@ void inject(const char* control, int value = 1) {
   vivid::Node{topCapture}.set(control, value);
 }
 
-/// Pictures of the top camera until there are so many; none when it gives too few for a minute.
+/// The `count`-th next frame of the top camera; absent after a minute.
 std::optional<CameraFrame> top(VideoCameras& video, int count = 1) {
   std::optional<CameraFrame> last;
   const TimePoint deadline = Clock::now() + 60s;
@@ -42,7 +42,7 @@ std::optional<CameraFrame> top(VideoCameras& video, int count = 1) {
   return count == 0 ? last : std::nullopt;
 }
 
-/// $NAOCAL_VIVID_SECONDS, or few enough for every day.
+/// Duration: $NAOCAL_VIVID_SECONDS, or 5 s by default.
 int streamingSeconds() {
   const char* wanted = std::getenv("NAOCAL_VIVID_SECONDS");
   return wanted ? std::atoi(wanted) : 5;
@@ -50,11 +50,11 @@ int streamingSeconds() {
 
 } // namespace
 
-// Proves that with two real streams at the driver's full rate (25 a second for its webcams of 640 x 480) every picture
-// is given, skipped or counted as lost. NAOCAL_VIVID_SECONDS=30 makes it half a minute.
+// Proves that with two real streams at the driver's full rate (25 Hz for webcams of 640 x 480) every image is
+// delivered, skipped or counted as lost. NAOCAL_VIVID_SECONDS=30 runs half a minute.
 TEST_CASE("two cameras stream at full rate and every picture is accounted for") {
   for (const char* path : {topCapture, bottomCapture}) {
-    vivid::Node{path}.set("Timestamp Source", 1); // start of exposure, as NAO's cameras
+    vivid::Node{path}.set("Timestamp Source", 1); // start of exposure, as with NAO's cameras
   }
   VideoCameras video{cameras()};
   std::array<std::uint64_t, 2> first{~0ull, ~0ull}, last{}, given{};
@@ -81,7 +81,7 @@ TEST_CASE("two cameras stream at full rate and every picture is accounted for") 
     const auto i = std::size_t(camera);
     CHECK(link.frames == given[i]);
     CHECK(link.frames + link.skipped + link.broken + link.lost >= last[i] + 1);
-    CHECK(link.frames + link.skipped + link.broken + link.lost <= last[i] + 1 + 4); // taken but not given yet
+    CHECK(link.frames + link.skipped + link.broken + link.lost <= last[i] + 1 + 4); // taken but not delivered yet
     CHECK(link.problem == "");
     const double rate = double(last[i] - first[i]) / toSeconds(end[i] - begin[i]);
     CHECK(rate == Approx(25).margin(0.5));
@@ -90,8 +90,7 @@ TEST_CASE("two cameras stream at full rate and every picture is accounted for") 
   }
 }
 
-// Proves that no byte changes on the way from a driver's buffer to a frame, and that what comes is good enough to
-// detect.
+// Proves that no byte changes between the driver's buffer and a frame, and that a board is detected in it.
 TEST_CASE("a known picture is captured byte for byte and its board is found") {
   const CameraIntrinsics lens = nominalCameras(640, 480).at("top");
   Board board = defaultBoards().front();
@@ -104,7 +103,7 @@ TEST_CASE("a known picture is captured byte for byte and its board is found") {
   }
   const vivid::Feeder feeder{topCapture, topOutput, picture};
   VideoCameras video{{cameras(vivid::hdmi)[0]}};
-  REQUIRE(top(video, 5)); // the loop has begun
+  REQUIRE(top(video, 5)); // the loop-back has started
   int same = 0;
   std::optional<CameraFrame> frame;
   for (int i = 0; i < 30; ++i) {
@@ -121,7 +120,7 @@ TEST_CASE("a known picture is captured byte for byte and its board is found") {
              detection.boards.front().ids.size(), board.points.size());
 }
 
-// Proves that read-back and limits work on a real driver.
+// Proves read-back and limits with a real driver.
 TEST_CASE("a real driver takes settings, reads them back and refuses what it has not") {
   auto options = cameras();
   options[0].controls = {
@@ -138,7 +137,7 @@ TEST_CASE("a real driver takes settings, reads them back and refuses what it has
   CHECK(video.status(CameraName::top).problem == "");
 }
 
-// Proves that what the driver drops or damages is counted and not given.
+// Proves that dropped and damaged images are counted and not delivered.
 TEST_CASE("pictures that a real driver drops or damages are counted") {
   VideoCameras video{cameras()};
   REQUIRE(top(video, 3));
@@ -153,7 +152,7 @@ TEST_CASE("pictures that a real driver drops or damages are counted") {
   CHECK(video.status(CameraName::top).reopened == 0);
 }
 
-// Proves that every failure that the driver can be asked for ends in a stream again while the other camera goes on.
+// Proves recovery from every failure that the driver can inject, while the other camera continues.
 TEST_CASE("queue errors, a dead stream and an unplugged camera end in a stream again") {
   VideoCameras video{cameras()};
   REQUIRE(top(video, 3));
@@ -179,7 +178,7 @@ TEST_CASE("queue errors, a dead stream and an unplugged camera end in a stream a
   }
 }
 
-// Proves that a driver which refuses to begin is tried again.
+// Proves that opening is retried if the driver refuses at first.
 TEST_CASE("a camera whose buffers or stream a real driver refuses at first is opened in the end") {
   for (const char* failure : {"Inject VIDIOC_REQBUFS Error", "Inject VIDIOC_STREAMON Error"}) {
     inject(failure);

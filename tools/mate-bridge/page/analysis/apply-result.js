@@ -5,7 +5,7 @@ import {act, say, state} from "../core/state.js";
 import {mountsMount, offsetsMount, savingOn} from "../robots/controls.js";
 import {selectedRobot, nameOf, needKeys, robots, matchRobot} from "../robots/robots.js";
 
-const settable = /^(jointOffset|cameraRotation|backlash|hysteresis)$/; // a gap as what it was on average in these captures
+const settable = /^(jointOffset|cameraRotation|backlash|hysteresis)$/; // backlash and hysteresis count as their average offset in these captures
 let confirming = null; // {what, robot}
 
 const olds = keys => (mp, key) => (keys.get(mp) || []).find(one => one.key === key)?.value;
@@ -14,7 +14,7 @@ const olds = keys => (mp, key) => (keys.get(mp) || []).find(one => one.key === k
 function changesOf({compensation: {offsets, mounts}}, had) {
   const change = (mp, key, value) => ({mp, key, value, old: had(mp, key)});
   const keyOf = joint => joint.charAt(0).toLowerCase() + joint.slice(1);
-  const joints = joint => joint === "LHipYawPitch" ? [joint, "RHipYawPitch"] : [joint]; // these have one motor
+  const joints = joint => joint === "LHipYawPitch" ? [joint, "RHipYawPitch"] : [joint]; // driven by one motor
   return [...offsets.flatMap(({joint, value}) => joints(joint).map(one => change(offsetsMount, keyOf(one), value))),
     ...mounts.map(({camera, rotation}) => change(mountsMount, camera + "_ext", rotation))];
 }
@@ -31,13 +31,13 @@ function table(changes) {
     element("tr", {}, element("th", {scope: "row"}, key.replace("_ext", " camera (rx ry rz)")), cell(old), cell(value)))));
 }
 
-// Values before the last applied result, until this page is closed.
-const before = new Map(); // settings by robot
+// Values before the last applied result; lost when the page is closed.
+const before = new Map(); // by robot: settings
 
 function put(robot, changes, words) {
   if (!act({do: "set", robot, settings: changes.map(({mp, key, value}) => ({mp, key, value}))})) return false;
   say(words);
-  [offsetsMount, mountsMount].forEach(mount => act({do: "keys", robot, mount})); // what it took
+  [offsetsMount, mountsMount].forEach(mount => act({do: "keys", robot, mount})); // reads back the accepted values
   return true;
 }
 

@@ -1,4 +1,4 @@
-// Learn: every effect at every place, with its evidence.
+// Learn view: all candidates with their evidence.
 import {button, csv, download, element, empty} from "naocal/lib/dom.js";
 import {short, sizeWords, waitingWords} from "naocal/lib/format.js";
 import {brokenLabel, candidateTable, columns, ofState, stateButtons, stateChip} from "naocal/plots/candidate-table.js";
@@ -28,13 +28,13 @@ export function showLearn(parent) {
       element("div", {class: "looked"}, ...(looked ? candidateDetail(looked, questions) : []))));
 }
 
-// Candidates are tested one by one here: where several explain the misfit, none of them is needed yet.
+// Candidates are tested one by one here: if several explain the misfit, none is shown as needed.
 const inWords = candidates => candidates.filter(({state}) => state === "present").length < 2 ? candidates
   : candidates.map(one => one.state === "present" ? {...one, says: "aliased"} : one);
 
 function verdict(questions) {
   const {headline, sentence} = questions, stem = headline.replace(/\.$/, "");
-  const rest = sentence.startsWith(stem) ? sentence.slice(stem.length).replace(/^[\s:,;.]+/, "") : sentence; // it says the headline again
+  const rest = sentence.startsWith(stem) ? sentence.slice(stem.length).replace(/^[\s:,;.]+/, "") : sentence; // drops the repeated headline
   return element("div", {class: "verdict " + questions.verdict}, element("h1", {}, headline), element("p", {}, rest.charAt(0).toUpperCase() + rest.slice(1)));
 }
 
@@ -56,7 +56,7 @@ function table(chosen, candidates, looked, again) {
     chosen.length > shownFirst ? button(shown.all ? "show fewer" : "show all " + chosen.length, () => { shown.all = !shown.all; again(); }) : null);
 }
 
-// Views of all candidates together; views of one candidate stand beside the table.
+// Views of all candidates; views of one candidate are shown beside the table.
 const together = questions => views.filter(({about, ofCandidate}) => about === "candidates" && !ofCandidate).flatMap(({title, show}) => {
   const parts = show(questions, {});
   return parts ? [element("h2", {}, title), ...parts] : [];

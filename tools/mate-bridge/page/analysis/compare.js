@@ -1,4 +1,4 @@
-// Compare: where the prediction fails. Residuals over anything, the chosen capture beside them, all pictures worst first.
+// Compare view: residuals over any recorded quantity, the selected capture, and all pictures, worst first.
 import {button, choice, csv, download, element, renew} from "naocal/lib/dom.js";
 import {px} from "naocal/lib/format.js";
 import {on} from "../core/connection.js";
@@ -42,7 +42,7 @@ export function showCompare(parent) {
     ...captures(pictures, again));
 }
 
-// The pair of error and driver that explains most, and the next ones.
+// Error-driver pairs with the strongest relation.
 function told({sentence, pairs}, choose) {
   const here = pairs.find(isShown), words = here ? here.sentence : pairs.length ? "Most telling: " + sentence : sentence;
   return element("div", {class: pairs.length ? "telling" : "telling none"}, element("p", {class: "sentence", role: "status"}, words),
@@ -72,7 +72,7 @@ function captures(pictures, again) {
 }
 
 // The picture last selected of each group stays in front.
-const inFront = new Map(); // by group: which of its pictures
+const inFront = new Map(); // by group: index of the front picture
 function grouped(group, again) {
   const key = groupOf(group[0]);
   const front = Math.min(inFront.get(key) || 0, group.length - 1), figure = pictureFigure(group[front]);

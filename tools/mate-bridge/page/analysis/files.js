@@ -1,4 +1,4 @@
-// Files: opens captures, compares with others, saves the files of the terminal's commands.
+// Files view: opens captures, compares with others, saves the same files as the command line.
 import {button, csvTable, download, element, renew} from "naocal/lib/dom.js";
 import {px} from "naocal/lib/format.js";
 import {on} from "../core/connection.js";

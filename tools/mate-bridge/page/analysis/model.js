@@ -1,4 +1,4 @@
-// The model beside every analysis view: ladder of errors, effects, undo, search.
+// Model panel beside every analysis view: error ladder, effects, undo, search.
 import {button, csv, download, element, renew} from "naocal/lib/dom.js";
 import {errorLadder} from "naocal/plots/error-ladder.js";
 import {act, state} from "../core/state.js";
@@ -12,7 +12,7 @@ export function showModel(parent) {
   renew(parent, element("h2", {}, "Ladder of errors ", button("CSV", () => saveLadder(ladder), {class: "small", "aria-label": "save as CSV: ladder of errors"})), ladderOf(ladder), historyButtons(ladder), modelOf(fit), search());
 }
 
-// The library's ladder; unknown numbers are null.
+// Converts the bridge's ladder for errorLadder; unknown numbers become null.
 const ladderOf = ({at, rungs}) => errorLadder(rungs.map(({step, from, rms, heldOut = null, floor = null, alarm = null}) =>
   ({name: step, from, rms, heldOut, floor, alarm})), {at, choose: rung => act({do: "goTo", rung})});
 
@@ -21,7 +21,7 @@ function saveLadder({rungs}) {
   download("ladder.csv", csv([["model", "fitted poses [px]", "held-out error [px]", "noise floor [px]", "chance that noise alone looks this convincing"], ...rows]), "text/csv");
 }
 
-// Undo goes to the model that the present one was made from, redo to the newest one made from it.
+// Undo selects the parent of the present model, redo its newest child.
 export const canUndo = ({at, rungs}) => rungs[at].from !== null;
 export const canRedo = ({at, rungs}) => rungs.some(({from}) => from === at);
 export const undo = ({at, rungs}) => act({do: "goTo", rung: rungs[at].from});
@@ -31,7 +31,7 @@ const historyButtons = ladder => element("p", {class: "controls"},
   button("Undo", () => undo(ladder), {disabled: !canUndo(ladder), id: "undo", title: "u"}),
   button("Redo", () => redo(ladder), {disabled: !canRedo(ladder), title: "r"}));
 
-// Effects of the model: added ones first, the base model below.
+// Effects of the model: added ones, then the base model.
 function modelOf(fit) {
   const base = fit.labels.filter(label => !fit.with.includes(label));
   const row = label => element("li", {}, element("span", {}, label),
@@ -53,11 +53,11 @@ function modelOf(fit) {
 }
 let openBase = false;
 
-// The search's finding stays valid while only suggested effects were added.
+// A search result stays valid while only suggested effects have been added.
 const stillTrue = ({with: began, suggested}) => began.every(label => state.fit.with.includes(label)) &&
   state.fit.with.every(label => began.includes(label) || suggested.includes(label));
 
-// Automatic search; its suggestions are added by hand.
+// Automatic search; the user adds its suggestions.
 function search() {
   const searching = Boolean(state.work && state.work.startsWith("searching"));
   const part = element("div", {class: "search"}, element("h2", {}, "Automatic search"), element("p", {class: "controls"},

@@ -1,4 +1,4 @@
-// Next poses: suggested poses, drawn, saved or played on a robot.
+// Next poses view: suggested poses are drawn, saved or played on a robot.
 import {button, choice, confirmation, element, empty, renew} from "naocal/lib/dom.js";
 import {on, send} from "../core/connection.js";
 import {act, say, state, valueOf} from "../core/state.js";
@@ -9,7 +9,7 @@ import {standingFigure} from "../robots/stance.js";
 import {requestFile} from "./files.js";
 
 let count = 4, shown = null, confirming = null, asked = 1e6;
-const stands = new Map(); // by number asked for
+const stands = new Map(); // by request number
 
 on("stand", message => {
   const waiting = stands.get(message.number);
@@ -42,7 +42,7 @@ function poseFigure(pose, next) {
     (pose.secondsToReach ? ", reached in " + pose.secondsToReach.toFixed(1) + " s" : "")));
 }
 
-// Playing poses would end a running calibration.
+// Playing is disabled during a calibration, which it would end.
 const calibrates = robot => running(valueOf(robot, stateKey)?.phase ?? "idle");
 const playOn = (robot, words, action) => button(words, action, {class: "main", "data-plays": robot, disabled: calibrates(robot),
   title: "not while " + nameOf(robot) + " calibrates"});
@@ -55,7 +55,7 @@ export function refreshPlay() {
 function playing(next, again) {
   const robot = selectedRobot(), entry = robot && robots.get(robot);
   if (entry && entry.mounts.some(({key}) => key === runner)) needKeys(robot, runner);
-  const can = entry && entry.connected && (entry.keys.get(runner) || []).some(({key}) => key === "poses"); // not every robot takes them
+  const can = entry && entry.connected && (entry.keys.get(runner) || []).some(({key}) => key === "poses"); // optional key of the runner
   const save = button("Save poses.json", () => requestFile("poses.json"));
   if (!can) return [element("p", {class: "controls"}, save, element("span", {class: "soft"}, "Connect a robot in Calibrate to play these poses, or copy the file to it."))];
   if (confirming !== robot) return [element("p", {class: "controls"}, playOn(robot, "Play on " + nameOf(robot) + " …", () => { confirming = robot; again(); }), save)];

@@ -1,4 +1,4 @@
-// Pictures of the open captures, with their photographs, which the bridge serves.
+// Pictures of the open captures; the bridge serves their photographs.
 import {cornersOf as cornersIn, pictureError, pictureName} from "naocal/lib/captures.js";
 import {cornersFigure} from "naocal/plots/corners.js";
 import {on} from "../core/connection.js";
@@ -10,7 +10,7 @@ export const errorOf = picture => pictureError(picture, state.layer);
 export const pictureFigure = picture => cornersFigure(picture, {layer, nameOf: pictureName, photograph});
 
 const photographs = new Map(); // by address
-let desk = 0; // other captures may have the same names: the address says which are meant
+let desk = 0; // part of the address: other captures may have equal names
 for (const kind of ["opened", "hello"]) on(kind, () => { photographs.clear(); ++desk; });
 
 function photograph(picture, loaded) {

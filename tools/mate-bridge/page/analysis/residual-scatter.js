@@ -1,4 +1,4 @@
-// Residuals over recorded quantities: choices of both axes, and the points.
+// Scatter of residuals over recorded quantities: options of both axes, and the points.
 import {pictureName} from "naocal/lib/captures.js";
 import {short, withError, withUnit} from "naocal/lib/format.js";
 import {binnedMeans, mean} from "naocal/lib/statistics.js";
@@ -7,7 +7,7 @@ import {residualScatter} from "naocal/plots/residual-scatter.js";
 import {cornersOf} from "./pictures.js";
 import {state} from "../core/state.js";
 
-// Choices of the x axis: of the corner, then quantities recorded with the picture.
+// Options of the x axis: coordinates of the corner, then quantities recorded with the picture.
 export function horizontals(fit, {joint}) {
   const own = [
     {value: "u", text: "column u in the picture [px]", of: corner => corner.u},
@@ -36,7 +36,7 @@ export function scatterFigure({fit, horizontal, vertical, camera, choose}) {
   /** @type {import("naocal/plots/residual-scatter.js").ScatterPoint[]} */
   const points = joint ? readings(fit, horizontal, vertical, camera) : corners(fit, horizontal, vertical, camera);
   const over = horizontal.text.replace(/ \[.*/, "");
-  // Points of one pose share its errors: they count once per value of the driver.
+  // Points of one pose share its errors, so they count once per twentieth of the driver's range.
   const means = binnedMeans(points.map(({x, y, picture}) => ({x, y, picture})), {places: 20, groupOf: ({picture}) => picture.set + "\n" + (picture.pose || picture.capture)});
   return residualScatter({
     points: points.map(point => ({...point, tip: () => point.tip() + "\n" + over + ": " + unitOf(horizontal, point.x)})), means,
@@ -50,7 +50,7 @@ function corners(fit, horizontal, vertical, camera) {
     ({x: horizontal.of(corner), y: vertical.of(corner), picture, tip: () => cornerTip(corner, pictureName)}))).filter(({x, y}) => isFinite(x) && isFinite(y));
 }
 
-// Readings of the joint, each with the pictures that share it.
+// Estimates of the joint's error, each with the pictures that share it.
 function readings(fit, horizontal, {joint, points}, camera) {
   const byIndex = new Map(fit.pictures.map(picture => [picture.index, picture]));
   return points.flatMap(([indices, y, sigma]) => {

@@ -1,4 +1,4 @@
-// Map: every view of the remaining misfit.
+// Map view: all views of the remaining misfit.
 import {button, element, empty} from "naocal/lib/dom.js";
 import {waitingWords} from "naocal/lib/format.js";
 import {views} from "naocal/plots/views.js";
@@ -14,7 +14,7 @@ export function showMap(parent, go) {
     return;
   }
   const tools = {
-    open: index => { // a point that belongs to a picture leads to it
+    open: index => { // opens the picture of a clicked point
       const {capture, pose} = questions.pictures[index], {set} = questions.poses[pose];
       state.chosen = state.fit.pictures.find(picture => picture.capture === capture && picture.set === set) ?? null;
       go("compare");

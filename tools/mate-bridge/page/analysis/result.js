@@ -1,4 +1,4 @@
-// Result: what the fit found, each estimate with its error bar.
+// Result view: estimates with error bars.
 import {button, csv, download, element} from "naocal/lib/dom.js";
 import {drawEstimates, drawingSize, estimates, titleOf} from "naocal/plots/estimates.js";
 import {offscreenButtons} from "../core/figure-export.js";

@@ -1,4 +1,4 @@
-// Custom effect: a correction of a joint's angle as an expression, checked by the bridge while typing.
+// Custom effect: an expression that corrects a joint's angle, checked by the bridge while typing.
 import {button, choice, element, renew} from "naocal/lib/dom.js";
 import {on, send} from "../core/connection.js";
 import {act, state} from "../core/state.js";
@@ -13,7 +13,7 @@ export function draftFrom(effect) {
     unknowns: Object.entries(effect.unknowns).map(([name, {unit, sigma}]) => name + " " + unit + " " + sigma).join("\n")});
 }
 
-// {a: {unit, sigma}} of lines "a rad 0.01".
+// Parses lines "a rad 0.01" to {a: {unit, sigma}}.
 function unknownsOf(text) {
   const result = {};
   for (const line of text.split("\n")) {
@@ -31,7 +31,7 @@ function isDraft({name, at, correction, unknowns}) {
     wanted.every(([key, {unit, sigma}]) => unknowns[key] && unknowns[key].unit === unit && unknowns[key].sigma === sigma);
 }
 
-on("fit", () => recheck()); // it may be in the model now
+on("fit", () => recheck()); // the effect may now be in the model
 on("checked", answer => { if (answer.number === number) showAnswer(answer); });
 
 export function showUserEffect(parent) {

@@ -1,11 +1,11 @@
-// Live connection to the bridge; reconnects by itself.
+// WebSocket connection to the bridge; reconnects automatically.
 
 const listeners = new Map();
 let socket, pause = 500;
 /** @type {(connected: boolean) => void} */
 let stateChanged = () => {};
 
-// on("fit", message => ...); pictures come with their bytes: on("picture", (head, blob) => ...)
+// on("fit", message => ...); binary messages include their bytes: on("picture", (head, blob) => ...)
 export function on(kind, listener) {
   if (!listeners.has(kind)) listeners.set(kind, []);
   listeners.get(kind).push(listener);
@@ -13,7 +13,7 @@ export function on(kind, listener) {
 
 const dispatch = (message, more) => (listeners.get(message.kind) || []).forEach(listener => listener(message, more));
 
-// False: not connected, nothing was sent.
+// Returns false if not connected; nothing was sent.
 export function send(request) {
   if (!socket || socket.readyState !== WebSocket.OPEN) return false;
   socket.send(JSON.stringify(request));

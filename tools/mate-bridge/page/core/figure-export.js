@@ -5,7 +5,7 @@ import {font, onNewFigure} from "naocal/lib/figure.js";
 
 const fileName = label => label.toLowerCase().replace(/[^a-z0-9]+/g, "-").replace(/^-|-$/g, "").slice(0, 60);
 
-// SVG of a drawing, drawn again with a recording context.
+// Renders a drawing to SVG through a recording context.
 export function svgOf(draw, width, height) {
   const context = new Context({width, height, document});
   context.isVector = true;
@@ -29,7 +29,7 @@ function applyText(text, x, y, action) {
   parent.append(drawn);
 }
 
-// PNG and SVG buttons; `canvasOf` returns the canvas, `sizeOf` the size for drawing again.
+// PNG and SVG buttons; `canvasOf` returns the canvas, `sizeOf` the size of the SVG.
 export function saveButtons(label, draw, canvasOf, sizeOf) {
   const name = fileName(label);
   return [button("PNG", () => canvasOf().toBlob(blob => download(name + ".png", blob)), {class: "small", "aria-label": "save as PNG: " + label}),
@@ -39,7 +39,7 @@ export function saveButtons(label, draw, canvasOf, sizeOf) {
     }, {class: "small", "aria-label": "save as SVG: " + label})];
 }
 
-// For a drawing that is not on the page.
+// Save buttons for a drawing that is not on the page.
 export const offscreenButtons = (label, draw, {width, height}) => saveButtons(label, draw, () => {
   const canvas = element("canvas", {width: 2 * width, height: 2 * height}), context = contextOf(canvas);
   context.scale(2, 2);

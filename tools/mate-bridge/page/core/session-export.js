@@ -1,9 +1,9 @@
-// The session as one HTML file: every view with content, drawings as pictures.
+// Exports the session as one HTML file: all views with content, canvases as images.
 import {contextOf, download, element} from "naocal/lib/dom.js";
 import {notice, state} from "./state.js";
 
 let views = [];
-export const offerViews = given => { views = given; }; // [{name, show(parent), own?: what is on the screen is taken}]
+export const offerViews = given => { views = given; }; // [{name, show(parent), own?: exports the view as displayed}]
 
 const pause = () => new Promise(resolve => setTimeout(resolve, 60));
 
@@ -15,7 +15,7 @@ export async function saveSession() {
       if (!shows()) continue;
       const parent = stage.appendChild(element("section"));
       show(parent);
-      for (let i = 0; i < 4; ++i) await pause(); // drawings draw themselves once they are laid out
+      for (let i = 0; i < 4; ++i) await pause(); // figures are drawn after layout
       await Promise.all([...parent.querySelectorAll("img")].map(image => image.decode().catch(() => {})));
       page.append(element("section", {}, element("p", {class: "soft"}, name), still(parent)));
       parent.remove();
@@ -32,7 +32,7 @@ export async function saveSession() {
   }
 }
 
-// A copy without scripts: canvases become pictures, choices text; buttons are removed.
+// Static copy: canvases become images, selects text; buttons are removed.
 function still(parent) {
   const copy = parent.cloneNode(true), drawn = [...parent.querySelectorAll("canvas")];
   [...copy.querySelectorAll("canvas")].forEach((canvas, i) => canvas.replaceWith(element("img", {src: drawn[i].toDataURL("image/png"),

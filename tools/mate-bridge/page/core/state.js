@@ -1,4 +1,4 @@
-// Last messages of the bridge, and state shared by views.
+// The bridge's last messages, and state shared by views.
 import {send} from "./connection.js";
 
 /** @type {import("./messages.js").PanelState} */
@@ -13,14 +13,14 @@ export const onNotice = listener => { notify = listener; };
 export const notice = sentence => notify(sentence, "problem");
 export const say = sentence => notify(sentence, "news");
 
-// Sends a request; false, with a notice, if the bridge is not connected.
+// Sends a request. Shows a notice and returns false if the bridge is not connected.
 export function act(request) {
   const sent = send(request);
   if (!sent) notice("The bridge is not connected: nothing was changed. The panel keeps trying.");
   return sent;
 }
 
-// Last value of each key of a robot, and results of the bridge about it.
+// Per robot: last value of each key, and the bridge's results.
 const known = new Map(); // by robot
 
 export const of = robot => {

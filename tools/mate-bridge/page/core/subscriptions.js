@@ -1,4 +1,4 @@
-// Live subscriptions: each key while some view shows it.
+// Live subscriptions: a key is subscribed while a view shows it.
 import {on, send} from "./connection.js";
 
 const wanted = new Map(); // by view: {robot, keys}
@@ -18,7 +18,7 @@ function follow() {
   subscribed = keys;
 }
 
-// A restarted bridge has no subscriptions; it lists its robots right after.
+// Renews subscriptions: a restarted bridge has none and lists its robots first.
 on("robot", ({connected}) => { if (connected) follow(); });
 const forget = isGone => {
   for (const [view, {robot}] of wanted) if (isGone(robot)) wanted.delete(view);

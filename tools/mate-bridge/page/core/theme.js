@@ -1,8 +1,8 @@
-// Light or dark theme: the system's, or as chosen.
+// Light or dark theme: the system's or the selected one.
 import {at} from "naocal/lib/dom.js";
 import {readColours} from "naocal/lib/figure.js";
 
-// A cookie: shared by all ports of this computer, as the next bridge has another.
+// A cookie, because cookies are shared by all ports of a host and the next bridge uses another port.
 function setTheme(theme) {
   document.documentElement.dataset.theme = theme;
   document.cookie = "naocal-theme=" + theme + "; path=/; max-age=31536000; samesite=strict";

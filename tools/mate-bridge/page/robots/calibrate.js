@@ -1,4 +1,4 @@
-// Calibrate: choice of a calibration, upcoming poses, progress, live pictures, outcome, undo.
+// Calibrate view: calibration kind, upcoming poses, progress, live pictures, outcome, undo.
 import {element, empty, renew} from "naocal/lib/dom.js";
 import {on, send} from "../core/connection.js";
 import {act, notice, of, valueOf} from "../core/state.js";
@@ -34,7 +34,7 @@ export function leaveCalibrate() {
   restWhenDone();
 }
 
-// During a calibration the bridge keeps watching, so that captures keep their pictures whichever view is shown.
+// Ends picture streaming after the calibration; until then captures get pictures whichever view is shown.
 function restWhenDone() {
   if (parentShown || !shownRobot || running(valueOf(shownRobot, stateKey)?.phase ?? "idle")) return;
   send({do: "unwatch", robot: shownRobot});
@@ -81,10 +81,10 @@ function draw() {
   next();
 }
 
-// Values before the calibration: from the robot, else as this page saw them.
+// Values before the calibration: from the robot if available, else as recorded by this page.
 const beforeIn = (told, mount, seen) => told?.before?.[mount] ? Object.entries(told.before[mount]).map(([key, value]) => ({key, value})) : seen;
 
-// Redraws a part only when its data change, so that buttons stay under the finger.
+// Redraws a part only if its data change: replacing a button would lose the click in progress.
 function when(name, shown, made) {
   const words = JSON.stringify(shown);
   if (parts[name].shown === words) return;
@@ -92,8 +92,8 @@ function when(name, shown, made) {
   parts[name].replaceChildren(...made());
 }
 
-// Requests the forward kinematics of the next pose.
-let asked = 0; // number of the last pose that the bridge was asked for
+// Requests forward kinematics of the next pose.
+let asked = 0; // number of the last request
 function next() {
   const state = valueOf(shownRobot, stateKey), told = valueOf(shownRobot, posesKey), known = of(shownRobot), pose = told && state && running(state.phase) && told.poses[told.step];
   const words = JSON.stringify(pose || null);
@@ -154,7 +154,7 @@ function updated(robot, values, isShown) {
     if (key === stateKey) {
       ended(robot, old, value, running);
       if (robot === shownRobot && old && running(old.phase)) restWhenDone();
-      if (old && old.sentence !== value.sentence && !running(value.phase)) [offsetsMount, mountsMount].forEach(mount => act({do: "keys", robot, mount})); // what it has now
+      if (old && old.sentence !== value.sentence && !running(value.phase)) [offsetsMount, mountsMount].forEach(mount => act({do: "keys", robot, mount})); // reads back the present values
     }
     if (key === playerKey && value.held && !(old && old.held) && !isShown) notice(nameOf(robot) + ": " + (value.reason || "Hold it by its trunk: its eyes are yellow."));
   }
@@ -170,7 +170,7 @@ function drawSoon() {
   });
 }
 
-// For the session's page: every robot that calibrated.
+// For the session export: all robots that have calibrated.
 const calibrated = () => [...robots.keys()].filter(robot => valueOf(robot, stateKey) && valueOf(robot, stateKey).phase !== "idle");
 export const hasCalibration = () => calibrated().length > 0;
 export function calibrationSummary(parent) {
@@ -183,7 +183,7 @@ export function calibrationSummary(parent) {
 
 // Upcoming poses of a round.
 
-const waiting = new Map(); // by the number that the bridge was asked with
+const waiting = new Map(); // by request number
 
 on("stand", message => {
   const pose = waiting.get(message.number);
@@ -193,7 +193,7 @@ on("stand", message => {
   pose.drawn.redraw();
 });
 
-// Consecutive poses of one name are one pose approached from several sides.
+// Consecutive poses of equal name are one pose approached from several sides.
 export function upcomingPoses({round, poses}) {
   waiting.clear();
   const groups = [];

@@ -1,14 +1,14 @@
-// A camera's live picture with the corners that the bridge found: rings where measured, crosses where predicted.
+// Live picture of a camera with the corners detected by the bridge: ring = measured, cross = predicted.
 import {contextOf, element} from "naocal/lib/dom.js";
 import {px} from "naocal/lib/format.js";
 import {rms} from "naocal/lib/statistics.js";
 import {drawCorner} from "naocal/plots/corners.js";
 
-const corners = 700; // how long corners stay in sight [ms]
+const corners = 700; // display time of detected corners [ms]
 
-const made = new Map(); // by place
+const made = new Map(); // by place on the page
 
-// One camera per place: its last picture survives a redraw of the view.
+// One camera per place; it keeps its last picture when the view is redrawn.
 export function cameraAt(place, label) {
   if (!made.has(place)) made.set(place, new Camera(label));
   return made.get(place);
@@ -18,14 +18,14 @@ class Camera {
   constructor(label) {
     this.canvas = element("canvas", {width: 640, height: 480, role: "img", "aria-label": label});
     this.caption = element("figcaption", {}, "waiting for the first picture");
-    this.rests = element("p", {class: "rests soft"}); // what the comparison rests on
+    this.rests = element("p", {class: "rests soft"}); // basis of the comparison
     this.times = [];
     this.found = null;
     this.decoding = false;
   }
 
   async show(file, {width, height, timestamp}) {
-    if (this.decoding) return; // the next one comes
+    if (this.decoding) return; // drops pictures while decoding
     this.decoding = true;
     let image;
     try {
@@ -42,7 +42,7 @@ class Camera {
     context.drawImage(image, 0, 0);
     image.close();
     const words = this.drawFound(context, timestamp);
-    if (times.length && performance.now() - times[times.length - 1] > 3000) times.length = 0; // it had stopped
+    if (times.length && performance.now() - times[times.length - 1] > 3000) times.length = 0; // restarts the rate after a pause of 3 s
     times.push(performance.now());
     while (times.length > 30) times.shift();
     this.caption.textContent = width + " × " + height + " px" + rateOf(times) + words;
@@ -67,14 +67,14 @@ class Camera {
   }
 }
 
-// Frame rate; unknown for the first picture.
+// Frame rate; empty for the first picture.
 function rateOf(times) {
   if (times.length < 2) return "";
   const rate = (1000 * (times.length - 1) / (times[times.length - 1] - times[0])).toFixed(0);
   return ", " + rate + (rate === "1" ? " picture a second" : " pictures a second");
 }
 
-// Keys of all pictures, and those of the top and bottom camera.
+// Keys of all images, and of the top and bottom camera.
 export function cameraKeys(list) {
   const images = list.filter(({isImage}) => isImage).map(({key}) => key);
   const top = images.find(key => /top/i.test(key)), bottom = images.find(key => /bottom/i.test(key));

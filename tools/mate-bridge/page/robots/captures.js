@@ -1,11 +1,11 @@
-// Captures of a calibration: a thumbnail and the corners found in each.
+// Captures of a calibration: thumbnails with corner counts.
 import {element} from "naocal/lib/dom.js";
 import {of, valueOf} from "../core/state.js";
 
 export const capturesKey = "Brain.calibrationCaptures"; // [{number, round, pose, camera, corners, boards}]
 const fewCorners = 6;
 
-// Captures with the address of their picture, if the bridge received it.
+// Captures with the URL of their picture, if the bridge has received it.
 export function capturesOf(robot) {
   const {pictures: {series, places}} = of(robot);
   return (valueOf(robot, capturesKey) || []).map((one, i) => ({...one,
@@ -15,7 +15,7 @@ export function capturesOf(robot) {
 export const worth = ({corners, boards}) => corners === null ? "searching for boards"
   : corners < fewCorners ? "no board seen" : corners + " corners on " + (boards.length === 1 ? "board " : "boards ") + boards.join(", ");
 
-// One thumbnail per pose and camera: the last picture, with the corners of each.
+// One thumbnail per pose and camera: the last picture, and the corner count of each.
 export function thumbnails(robot) {
   const groups = new Map();
   for (const capture of capturesOf(robot)) {

@@ -1,13 +1,13 @@
-// Configuration: parameters of every mount; each is set by itself, and saved after a confirmation.
+// Configuration view: parameters of all mounts; set one by one, saved after a confirmation.
 import {button, element, empty, renew} from "naocal/lib/dom.js";
 import {act, notice} from "../core/state.js";
 import {runner, savingOn} from "./controls.js";
 import {entryOf, nameOf, needKeys, refreshBar, robotBar, selectedRobot, whyNothing} from "./robots.js";
 
-let mount = null, parentShown = null, filter = "", confirming = null; // the robot that is to save
-const edits = new Map(); // text by robot, mount and key, until it is set
-const changed = new Map(); // what was set, in the same way
-const commands = ["run", "confirmed", "poses"]; // of the runner: whoever sets them moves the robot, which Calibrate asks about
+let mount = null, parentShown = null, filter = "", confirming = null; // confirming: robot whose save awaits confirmation
+const edits = new Map(); // unsent text by robot, mount and key
+const changed = new Map(); // values set, by robot, mount and key
+const commands = ["run", "confirmed", "poses"]; // runner keys that move the robot; set in Calibrate, with a confirmation
 
 export function showKeys(parent) {
   parentShown = parent;
@@ -22,7 +22,7 @@ export function onMessage(message, isShown) {
   else refreshBar(parentShown, () => showKeys(parentShown));
 }
 
-// A robot rejects a value silently: the answer shows its old one.
+// A robot rejects a value silently: its reply then contains the old value.
 function compare({robot, body}) {
   for (const {key, value} of (body && body.keys) || []) {
     const place = robot + "\n" + body.mountPoint + "\n" + key, sent = changed.get(place);
@@ -63,7 +63,7 @@ function parameters(robot, entry) {
   return part;
 }
 
-const textOf = value => JSON.stringify(value), long = 60; // letters
+const textOf = value => JSON.stringify(value), long = 60; // characters; longer values get a text area
 const isCommand = key => mount === runner && commands.includes(key);
 
 function parameter(robot, entry, {key, value}) {
@@ -91,7 +91,7 @@ function parameter(robot, entry, {key, value}) {
     if (set.disabled || !act({do: "set", robot, settings: [{mp: here, key, value: JSON.parse(input.value)}]})) return;
     changed.set(place, {text: textOf(JSON.parse(input.value)), answered: false});
     edits.delete(place);
-    act({do: "keys", robot, mount: here}); // what the robot took
+    act({do: "keys", robot, mount: here}); // reads back the accepted value
   }
   input.addEventListener("input", () => { if (input.value === before) edits.delete(place); else edits.set(place, input.value); show(); });
   input.addEventListener("keydown", (/** @type {any} */ event) => { if (event.key === "Enter" && !isLong) change(); if (event.key === "Escape") { edits.delete(place); show(); } });
@@ -99,7 +99,7 @@ function parameter(robot, entry, {key, value}) {
   return row;
 }
 
-// Lists values set on this page; the robot saves all values set on it, by any client.
+// Lists the values set on this page; the robot saves all values set by any client.
 function saving(robot, {connected}) {
   const again = () => showKeys(parentShown), here = [...changed].filter(([place]) => place.startsWith(robot + "\n"));
   if (confirming !== robot) return element("p", {class: "controls"}, button("Save …", () => { confirming = robot; again(); }, {disabled: !connected}));

@@ -8,7 +8,7 @@ import {displayName, nameOf, robots} from "./robots.js";
 export const runner = "Brain.CalibrationRunner";
 export const offsetsMount = "Motion.JointCalibrationProvider";
 export const mountsMount = "Brain.Projection";
-let confirming = null; // what waits for the person's yes, and of which robot: {what, robot}
+let confirming = null; // the action that awaits confirmation, {what, robot}
 
 export const set = (robot, mp, key, value) => act({do: "set", robot, settings: [{mp, key, value}]});
 const waits = (what, robot) => Boolean(confirming) && confirming.what === what && confirming.robot === robot;
@@ -52,20 +52,20 @@ function choice(kinds, known, connected, changed) {
   }));
 }
 
-// The robot's question.
+// Shows the robot's question with a Confirm button.
 const ask = (robot, {question, questionNumber}) => element("div", {class: "confirm asks", role: "alert"},
   element("p", {}, element("b", {}, "The robot asks: "), question),
   element("p", {class: "controls"}, button("Confirm", () => set(robot, runner, "confirmed", questionNumber), {class: "main"}),
     element("span", {class: "soft"}, "or press its chest button")));
 
-// Starts a run, with a last will that ends it when the connection is lost. False: nothing was sent.
+// Starts a run, with a last will that ends it if the connection is lost. Returns false if nothing was sent.
 export function begin(robot, run) {
   of(robot).begun = {sentence: of(robot).values.get("Brain.calibration")?.sentence};
-  return set(robot, runner, "run", "") // only a change counts
+  return set(robot, runner, "run", "") // resets the key first: the robot reacts to changes only
     && set(robot, "naocal.configuration", "lastWill", [{mp: runner, key: "run", value: ""}]) && set(robot, runner, "run", run);
 }
 
-// Clears the last will once its run has ended or was refused.
+// Clears the last will after the run has ended or was refused.
 export function ended(robot, old, now, running) {
   const {begun} = of(robot);
   if (running(now.phase) || !((old && running(old.phase)) || (begun && now.sentence !== begun.sentence))) return;
@@ -79,7 +79,7 @@ function start(robot, entry) {
   begin(robot, of(robot).chosen);
 }
 
-// Undo works once per saved calibration; the robot knows whether there is one.
+// Undo works once per saved calibration; the robot's sentence says if it was used.
 const canUndo = ({sentence}) => !/saved was taken back/.test(sentence);
 
 export function afterwards({robot, entry, state, isRunning, draw, when}) {
@@ -98,9 +98,9 @@ export function afterwards({robot, entry, state, isRunning, draw, when}) {
     waits("save", robot) && can ? savingOn(robot, ["Results of a calibration are saved already."], asks(null)) : ""]);
 }
 
-// Saving on a robot: needs a confirmation; HULKs' protocol sends no answer.
+// Saving on a robot, after a confirmation; HULKs' protocol sends no reply.
 
-// `more`: further text; `leave`: closes the question; `asked`: called after the request.
+// `more`: further text; `leave`: closes the confirmation; `asked`: called after the request.
 export const savingOn = (robot, more, leave, asked = () => {}) =>
   confirmation(["Write all values set on " + nameOf(robot) + " to its configuration files?", ...more], "Save on " + nameOf(robot), () => {
     if (act({do: "save", robot})) {
@@ -110,7 +110,7 @@ export const savingOn = (robot, more, leave, asked = () => {}) =>
     leave();
   }, leave);
 
-// Stop: button in the header while a connected robot may move. Acts on press, not on release, as does the key s.
+// Stop button in the header, shown while a connected robot may move. Acts on press, not on release, as does the key s.
 
 const stop = at("stop");
 
@@ -124,11 +124,11 @@ export function refreshStop() {
   stop.title = "key s: " + (now.length ? now.map(nameOf).join(", ") + " ends the calibration" : "ends whatever a calibration does") + " and goes back to its stand";
 }
 
-// Ends every run.
+// Ends the run on every robot that can be reached.
 const press = () => reached().forEach(robot => set(robot, runner, "run", ""));
 
 stop.addEventListener("pointerdown", press);
-stop.addEventListener("click", ({detail}) => { if (detail === 0) press(); }); // of a keyboard
+stop.addEventListener("click", ({detail}) => { if (detail === 0) press(); }); // activated by keyboard
 document.addEventListener("keydown", event => {
   const {tagName, type} = /** @type {HTMLInputElement} */ (event.target);
   const typing = /^(INPUT|SELECT|TEXTAREA)$/.test(tagName) && type !== "radio" && type !== "checkbox";

@@ -1,14 +1,14 @@
-// Plan of the floor: feet, boards as detected, and the view of each camera.
+// Floor plan: feet, detected boards, and the field of view of each camera.
 import {colours, figure} from "naocal/lib/figure.js";
 
-const ahead = 1.9, behind = 0.3, aside = 1.1; // of what is shown [m]
+const ahead = 1.9, behind = 0.3, aside = 1.1; // extent of the plan, from the robot [m]
 
 export const floorFigure = of => figure({height: width => Math.min(400, width * (ahead + behind) / (2 * aside)), label: "plan of the floor", className: "floor",
   draw: (context, width, height) => draw(context, width, height, of())});
 
 function draw(context, width, height, scene) {
   const scale = Math.min(height / (ahead + behind), width / (2 * aside)), originX = width / 2, originY = height - behind * scale;
-  const place = ([x, y]) => [originX - scale * y, originY - scale * x]; // forward is up, left is left
+  const place = ([x, y]) => [originX - scale * y, originY - scale * x]; // robot frame: x up, y to the left
   const outline = points => {
     context.beginPath();
     points.forEach((point, i) => i ? context.lineTo(...place(point)) : context.moveTo(...place(point)));

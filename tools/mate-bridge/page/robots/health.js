@@ -1,4 +1,4 @@
-// Battery and temperature of every connected robot, beside its name.
+// Battery level and temperature of each connected robot, beside its name.
 import {element} from "naocal/lib/dom.js";
 import {state, valueOf} from "../core/state.js";
 import {want} from "../core/subscriptions.js";
@@ -28,11 +28,11 @@ function fill(part, robot) {
     element("span", {class: told.temperature > hot ? "bad" : "", title: "its hottest joint: " + told.joint}, heat + (told.temperature > hot ? " hot: " + told.joint : "")));
 }
 
-// Keys subscribed to for every robot, whichever view is shown: state, player, health.
+// Keys subscribed to for every robot, independent of the view: state, player, health.
 
 export const stateKey = "Brain.calibration";
 export const playerKey = "Motion.player";
-export const healthKey = "Motion.health"; // {battery: 0..1, charging, joint: the hottest, temperature [°C]}
+export const healthKey = "Motion.health"; // {battery: 0..1, charging, joint: hottest joint, temperature [°C]}
 export const running = phase => !["idle", "finished", "failed"].includes(phase);
 
 export function followAll() {

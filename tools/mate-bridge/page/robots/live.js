@@ -1,4 +1,4 @@
-// Live: both cameras, and any number of values over time.
+// Live view: both cameras, and plots of values over time.
 import {choice, element, empty, renew} from "naocal/lib/dom.js";
 import {want} from "../core/subscriptions.js";
 import {cameraAt, cameraKeys} from "./camera.js";
@@ -6,7 +6,7 @@ import {entryOf, nameOf, refreshBar, robotBar, robots, selectedRobot, whyNothing
 import {History, Plotted} from "./value-plot.js";
 
 /** @type {{camera: any, key?: string | null}[]} */
-const slots = [{camera: null}, {camera: null}]; // key: of its picture; undefined: not chosen yet, null: none
+const slots = [{camera: null}, {camera: null}]; // key: image key; undefined: not selected yet, null: none
 const plotted = new Set(); // keys
 let histories = new Map(), figures = new Map(), shownRobot = null, parentShown = null, filter = "";
 
@@ -83,7 +83,7 @@ function plots() {
     part.append(figure.figure);
     figures.set(key, figure);
   }
-  requestDraw(); // what is remembered
+  requestDraw(); // draws the stored history
   return part;
 }
 
@@ -111,7 +111,7 @@ function pictured({robot, key, width, height}, file, isShown) {
   if (isShown && robot === shownRobot && slot && slot.camera) slot.camera.show(file, {width, height});
 }
 
-const betweenDraws = 100; // eyes see no more, and pictures need the time [ms]
+const betweenDraws = 100; // [ms]; limits plotting to 10 Hz, as pictures need the time
 let drawing = false;
 function requestDraw() {
   if (drawing) return;

@@ -41,7 +41,7 @@ export function offsets(told, before, now) {
     csvTable(table, "offsets")];
 }
 
-// Camera mounts relative to the drawing, before and now.
+// Camera rotations relative to the drawing, before and now.
 export function cameraMounts(before, now) {
   const rows = (now || []).filter(({key, value}) => key.endsWith("_ext") && Array.isArray(value))
     .map(({key, value}) => ({camera: key.replace("_ext", ""), after: value, before: (before || []).find(one => one.key === key)?.value}))

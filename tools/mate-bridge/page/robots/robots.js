@@ -1,4 +1,4 @@
-// Robots: connection, state, and which one is selected.
+// Robots: connections, states, and the selected one.
 import {button, confirmation, element, keepingFocus} from "naocal/lib/dom.js";
 import {on} from "../core/connection.js";
 import {act, of, state, valueOf} from "../core/state.js";
@@ -7,10 +7,10 @@ import {running, stateKey, health} from "./health.js";
 export const robots = state.robots; // by address: {connected, sentence, list, mounts, keys: Map by mount}
 /** A listed robot's entry. @param {string} robot @returns {import("../core/messages.js").RobotEntry} */
 export const entryOf = robot => /** @type {any} */ (robots.get(robot));
-const typedSecrets = new Map(); // by robot, until it is told
-let looked = null, typed = "", leaving = null; // the robot that is to be left while it calibrates
+const typedSecrets = new Map(); // by robot, until sent
+let looked = null, typed = "", leaving = null; // leaving: calibrating robot whose disconnection awaits confirmation
 
-// A restored bridge lists its robots first; their states follow.
+// A reconnected bridge lists its robots first; their states follow.
 on("hello", ({robots: there}) => { for (const name of [...robots.keys()]) if (!there.includes(name)) robots.delete(name); });
 
 export function bridgeLost() {
@@ -29,7 +29,7 @@ export function displayName(robot) {
   return name && name !== robot ? name + " (" + robot + ")" : robot;
 }
 
-// "Ada", or the address where the name is unknown or not unique.
+// "Ada", or the address if the name is unknown or not unique.
 export function nameOf(robot) {
   const name = headName(robot);
   return name && [...robots.keys()].every(other => other === robot || headName(other) !== name) ? name : robot;
@@ -37,7 +37,7 @@ export function nameOf(robot) {
 
 export const selectedRobot = () => robots.get(looked) ? looked : (robots.keys().next().value ?? null);
 
-// False: no view needs a redraw (a repeated list is a keep-alive).
+// Returns false if no view needs a redraw (repeated lists are keep-alives).
 export function onMessage(message) {
   const {kind, robot} = message;
   if (["update", "picture", "taken", "scene", "seen", "stand"].includes(kind)) return true;
@@ -45,7 +45,7 @@ export function onMessage(message) {
   if (!robots.has(robot)) robots.set(robot, {connected: false, sentence: "connecting", list: [], mounts: [], keys: new Map()});
   const entry = entryOf(robot);
   if (kind === "robot") {
-    if (message.connected && !entry.connected) { // what it had before may be true no more
+    if (message.connected && !entry.connected) { // discards values from before the reconnection
       entry.keys.clear();
       of(robot).values.clear();
     }
@@ -67,20 +67,20 @@ export function onMessage(message) {
 
 const keysOf = body => body && Array.isArray(body.keys) ? body.keys.filter(({key}) => typeof key === "string").sort((a, b) => a.key < b.key ? -1 : 1) : [];
 
-// Requests a mount's keys once; the bridge holds the request until the robot lists the mount.
+// Requests a mount's keys once; the bridge defers the request until the robot lists the mount.
 export function needKeys(robot, mount) {
   const {keys, connected} = entryOf(robot);
   if (connected && !keys.has(mount) && act({do: "keys", robot, mount})) keys.set(mount, null);
 }
 
-// Row of robots above every robot view; `changed` redraws the view.
+// Robot bar above every robot view; `changed` redraws the view.
 export function robotBar(changed) {
   const address = element("input", {type: "text", id: "address", placeholder: "nao21, HOST:PORT or /sockets", "aria-label": "robot to connect to", spellcheck: "false", autocomplete: "off"});
   address.value = typed;
   address.addEventListener("input", () => { typed = address.value; });
   const form = element("form", {class: "controls", onsubmit: event => {
     event.preventDefault();
-    if (typed.trim() && act({do: "connect", robot: typed.trim()})) looked = typed.trim(); // it stays there until the bridge has taken it
+    if (typed.trim() && act({do: "connect", robot: typed.trim()})) looked = typed.trim(); // the address stays until the bridge has accepted it
   }}, address, element("button", {type: "submit"}, "Connect"));
   const classOf = (name, {connected, list}) => ["robot", connected && "connected", connected && !list.length && "silent", name === selectedRobot() && "is-looked"].filter(Boolean).join(" ");
   const chips = [...robots].map(([name, entry]) => element("span", {class: classOf(name, entry)},
@@ -101,12 +101,12 @@ function leave(robot, changed) {
   changed();
 }
 
-// Redraws the row alone: another robot changed.
+// Redraws only the bar, after changes of other robots.
 export function refreshBar(parent, changed) {
   keepingFocus(parent, () => parent.querySelector(".robots")?.replaceWith(robotBar(changed)));
 }
 
-// A robot on the network lists nothing before it receives its secret (access.json).
+// Form for the secret; until a networked robot receives it (access.json), it lists nothing.
 function secretForm(robot) {
   const secret = element("input", {type: "password", id: "secret", oninput: () => typedSecrets.set(robot, secret.value), placeholder: "its secret", "aria-label": "secret of " + robot, autocomplete: "off"});
   secret.value = typedSecrets.get(robot) ?? "";
@@ -118,7 +118,7 @@ function secretForm(robot) {
   }}, secret, element("button", {type: "submit"}, "Send secret"));
 }
 
-// Why there is nothing to show; null if there is.
+// Reason why there is nothing to show: title and text; null if there is something.
 /** @returns {[string, string] | null} */
 export function whyNothing() {
   const name = selectedRobot();
@@ -137,10 +137,10 @@ function stands(keys, part, id) {
   const own = toldBy(keys, ["NaoInfo." + part + "Id"]), called = toldBy(keys, ["NaoInfo." + part + "Name"]);
   if (!id) return "unknown";
   if (own) return own === id ? "its" : "another's";
-  return called === id ? "its" : "unknown"; // who has no name in id_map.json is called by its id
+  return called === id ? "its" : "unknown"; // parts without a name in id_map.json are named by their id
 }
 
-// Text or warning for a person who applies a result of these captures to that robot.
+// Text or warning shown before applying a result of these captures to that robot.
 export function matchRobot({headId, bodyId}, robot) {
   const keys = robots.get(robot)?.keys.get("tuhhSDK.base") || [], name = nameOf(robot);
   const parts = [["head", headId], ["body", bodyId]], how = parts.map(([part, id]) => stands(keys, part, id));

@@ -1,4 +1,4 @@
-// Posture of a robot from its right side and from the front; the next pose as an outline over it.
+// Posture of a robot, from its right side and the front, with the next pose as an outline.
 import {contextOf} from "naocal/lib/dom.js";
 import {colours, figure} from "naocal/lib/figure.js";
 
@@ -37,7 +37,7 @@ function gaze(context, {gaze: line}, place, colour) {
   context.stroke();
 }
 
-// Capsules as thick strokes on a separate canvas, so that overlaps do not darken; an outline erases the inside.
+// Draws capsules as thick strokes on a separate canvas, so that overlaps do not darken; an outline erases the inside.
 // SVG has no such canvas.
 function body(context, hull, place, scale, {colour, alpha, outlined}) {
   const own = context.isVector ? context : sheetOver(context);
@@ -49,7 +49,7 @@ function body(context, hull, place, scale, {colour, alpha, outlined}) {
       own.lineWidth = Math.max(0.5, 2 * radius * scale - thinner);
       own.beginPath();
       own.moveTo(...place(from));
-      own.lineTo(...place(to).map((value, i) => i ? value : value + 0.01)); // a ball is a short stroke
+      own.lineTo(...place(to).map((value, i) => i ? value : value + 0.01)); // a sphere becomes a short stroke
       own.stroke();
     }
   };

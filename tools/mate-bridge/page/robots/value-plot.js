@@ -1,4 +1,4 @@
-// One value over time: choice of its numbers, plot, and export.
+// Plot of one value over time: selection of its numbers, and export.
 import uPlot from "uplot";
 import {axes} from "naocal/lib/axes.js";
 import {button, csv, download, element} from "naocal/lib/dom.js";
@@ -7,7 +7,7 @@ import {on} from "../core/connection.js";
 import {svgOf} from "../core/figure-export.js";
 
 const shownSeconds = 20, atFirst = 6, tall = 190;
-const chosen = new Map(); // by key: the names of the numbers that a person wants; else the first ones
+const chosen = new Map(); // by key: names of the selected numbers; absent: the first six
 
 const unitOf = key => /angles|position/i.test(key) ? " [rad]" : "";
 // Okabe and Ito's colour-blind safe palette; dashed from the seventh line on.
@@ -33,7 +33,7 @@ export class Plotted {
     return chosen.has(this.key) ? all.filter(name => chosen.get(this.key).has(name)) : all.slice(0, atFirst);
   }
 
-  // The plot as PNG or SVG, the whole history as CSV.
+  // Buttons: the plot as PNG or SVG, the whole history as CSV.
   savers() {
     const {key} = this, saver = (kind, save) => button(kind, () => { if (this.history) save(); }, {class: "small", "aria-label": "save as " + kind + ": " + key});
     return [saver("PNG", () => this.plot && this.plot.ctx.canvas.toBlob(blob => blob && download(key + ".png", blob))),
@@ -46,7 +46,7 @@ export class Plotted {
     if (!history || !this.drawn.isConnected) return;
     this.words.textContent = history.text();
     const names = this.names(), shown = history.names().join("\n") + "\n\n" + names.join("\n");
-    if (this.shown !== shown || this.colours !== colours) { // these are others after a change of theme
+    if (this.shown !== shown || this.colours !== colours) { // `colours` is replaced when the theme changes
       Object.assign(this, {shown, colours});
       this.showChips(names);
       this.drop();
@@ -55,7 +55,7 @@ export class Plotted {
     if (this.plot) this.plot.setData(history.since(shownSeconds, names));
   }
 
-  // Buttons by number's name: legend and choice.
+  // One button per number: legend and selection.
   showChips(names) {
     const all = this.history.names();
     if (all.length < 2) return this.chips.replaceChildren();
@@ -86,7 +86,7 @@ export class Plotted {
     context.setLineDash([]);
   }
 
-  // Without destroy() the plot's own listeners keep it alive.
+  // Without destroy(), the plot's listeners would keep it alive.
   drop() {
     if (this.plot) this.plot.destroy();
     this.plot = null;
@@ -104,17 +104,17 @@ function plotIn(parent, names) {
   return plot;
 }
 
-// The order in which robots send one number per joint, from the bridge.
+// Joint order of per-joint arrays, from the bridge.
 /** @type {string[]} */
 let joints = [];
 on("hello", message => { joints = message.joints; });
 
-// History of one key: its numbers by name, at most about `most` entries.
+// History of one key: time series by number's name, about `most` entries at most.
 export class History {
   constructor(most) {
     this.most = most;
     this.times = [];
-    this.series = new Map(); // by name: one number or null per time
+    this.series = new Map(); // by name: one number or null per timestamp
     this.last = undefined;
   }
 
@@ -123,7 +123,7 @@ export class History {
     const found = new Map();
     numbersIn(value, "", found);
     if (this.times.length && time <= this.times[this.times.length - 1]) {
-      if (time < this.times[this.times.length - 1] - 1) { this.times = []; this.series.clear(); } // the robot was started anew
+      if (time < this.times[this.times.length - 1] - 1) { this.times = []; this.series.clear(); } // the robot was restarted
       else return;
     }
     this.times.push(time);
@@ -137,7 +137,7 @@ export class History {
 
   names() { return [...this.series.keys()]; }
 
-  // The last seconds as uPlot's columns, thinned to at most 600 entries.
+  // The last seconds as uPlot columns, thinned to about 600 entries.
   since(seconds, names) {
     const begin = this.times[this.times.length - 1] - seconds, most = 600;
     let first = 0;
@@ -152,14 +152,14 @@ export class History {
     return [["time [s]", ...this.names().map(name => name || "value")], ...this.times.map((time, i) => [time, ...[...this.series.values()].map(values => values[i])])];
   }
 
-  // The last value as shortened text.
+  // The last value as text, at most 400 characters.
   text() {
     const text = JSON.stringify(this.last, (key, value) => typeof value === "number" && !Number.isInteger(value) ? Number(value.toPrecision(6)) : value);
     return text === undefined ? "" : text.length > 400 ? text.slice(0, 400) + " …" : text;
   }
 }
 
-// Numbers of a value by path ("[2]", "a.x"); booleans count as 0 and 1.
+// Collects up to 64 numbers of a value by path ("[2]", "a.x"); booleans count as 0 and 1.
 function numbersIn(value, name, found) {
   if (found.size >= 64) return;
   if (typeof value === "number") found.set(name, value);

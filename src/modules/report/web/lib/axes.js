@@ -1,4 +1,4 @@
-// What drawings share: round numbers, axes, arrows, points.
+// Drawing helpers: tick values, axes, arrows, points.
 import {colours} from "naocal/lib/figure.js";
 import {number} from "naocal/lib/format.js";
 import {quantile} from "naocal/lib/statistics.js";
@@ -7,7 +7,7 @@ import {quantile} from "naocal/lib/statistics.js";
 /** @typedef {{left: number, right: number, top: number, bottom: number}} Box */
 /** @typedef {[number, number]} Range */
 
-/** Round numbers from low to high, about `count` of them. @param {number} low @param {number} high @param {number} count */
+/** Round tick values from low to high, about `count` of them. @param {number} low @param {number} high @param {number} count */
 export function ticks(low, high, count) {
   const rough = (high - low) / Math.max(1, count), power = 10 ** Math.floor(Math.log10(rough));
   const step = power * ([1, 2, 5, 10].find(factor => factor * power >= 0.7 * rough) ?? 10);
@@ -17,7 +17,7 @@ export function ticks(low, high, count) {
 }
 
 /**
- * Grid lines and numbers around `box`; returns the functions from values to pixels. Without xLabel no x numbers.
+ * Draws grid lines and tick labels around `box`; returns the scales (value to pixel) and the line function. Without xLabel, no ticks on x.
  * @param {Context} context
  * @param {Box} box
  * @param {Range} xRange
@@ -48,7 +48,7 @@ export function axes(context, box, [xLow, xHigh], [yLow, yHigh], {title, xLabel}
   if (xLabel) {
     for (const value of ticks(xLow, xHigh, (box.right - box.left) / 70)) {
       line(x(value), box.bottom, x(value), box.bottom + 4);
-      const text = number(value), within = box.right + 8 - context.measureText(text).width / 2; // not cut at the edge
+      const text = number(value), within = box.right + 8 - context.measureText(text).width / 2; // keeps the label inside the figure
       context.fillText(text, Math.min(x(value), within), box.bottom + 6);
     }
     context.fillText(xLabel, (box.left + box.right) / 2, box.bottom + 22);
@@ -58,7 +58,7 @@ export function axes(context, box, [xLow, xHigh], [yLow, yHigh], {title, xLabel}
   return {x, y, line};
 }
 
-/** How often errors are enlarged so that most of them stay shorter than `longest`. @param {number[]} lengths @param {number} longest */
+/** Enlargement factor that keeps 90 % of the errors shorter than `longest`. @param {number[]} lengths @param {number} longest */
 export const enlargement = (lengths, longest) =>
   [200, 100, 50, 20, 10, 5, 2].find(factor => factor * quantile(lengths, 0.9) <= longest) || 1;
 /** @param {number} factor */
@@ -87,7 +87,7 @@ export function arrow(context, colour, thick, x, y, dx, dy) {
   context.stroke();
 }
 
-/** A point beyond an axis lies at its end and points outwards (`beyond` -1: up). @param {Context} context @param {{x: number, y: number, beyond?: number}} point */
+/** A point; a triangle pointing outwards if the value lies beyond the axis (`beyond` -1: up, 1: down). @param {Context} context @param {{x: number, y: number, beyond?: number}} point */
 export function dot(context, {x, y, beyond}) {
   context.beginPath();
   if (beyond) {
@@ -100,7 +100,7 @@ export function dot(context, {x, y, beyond}) {
   context.fill();
 }
 
-/** As much of a text's start as has room. @param {Context} context @param {string} text @param {number} room */
+/** Truncates a text to `room` pixels, with an ellipsis. @param {Context} context @param {string} text @param {number} room */
 export function fitting(context, text, room) {
   if (context.measureText(text).width <= room) return text;
   let end = text.length;
@@ -108,7 +108,7 @@ export function fitting(context, text, room) {
   return text.slice(0, end) + "…";
 }
 
-/** A range with room at both ends. @param {Range} range @param {number} share @returns {Range} */
+/** Extends a range by `share` of its width at both ends. @param {Range} range @param {number} share @returns {Range} */
 export function widened([low, high], share) {
   const margin = share * (high - low || 1);
   return [low - margin, high + margin];

@@ -1,4 +1,4 @@
-// Captures: their names, the corners in their pictures, and when they were taken.
+// Captures: names, corners and capture times of their pictures.
 import {groupBy, mean, rms, extent} from "naocal/lib/statistics.js";
 
 /** @import {Picture, Corner, Layer, Taken} from "naocal/lib/types.js" */
@@ -7,7 +7,7 @@ import {groupBy, mean, rms, extent} from "naocal/lib/statistics.js";
 export const pictureName = ({capture, pose, repeat, camera}) =>
   "capture " + capture + (pose ? ", pose " + pose : "") + (repeat ? " (repeat " + repeat + ")" : "") + ", " + camera + " camera";
 
-/** With their set where there are several. @param {Picture[]} pictures @returns {(picture: Picture) => string} */
+/** Prefixed with the set name if there are several sets. @param {Picture[]} pictures @returns {(picture: Picture) => string} */
 export function pictureNames(pictures) {
   const severalSets = new Set(pictures.map(({set}) => set)).size > 1;
   return picture => (severalSets ? picture.set + ", " : "") + pictureName(picture);
@@ -27,7 +27,7 @@ export function captureNames({poses, pictures}) {
   };
 }
 
-/** Corners of a picture and their rms error by layer. @type {WeakMap<Picture, Record<string, {corners: Corner[], error: number}>>} */
+/** Cache: corners and rms error of each picture, by layer. @type {WeakMap<Picture, Record<string, {corners: Corner[], error: number}>>} */
 const known = new WeakMap();
 
 /** @param {Picture} picture @param {Layer} layer */
@@ -47,24 +47,24 @@ function lookUp(picture, layer) {
 /** The corners in a picture. @param {Picture} picture @param {Layer} layer */
 export const cornersOf = (picture, layer) => lookUp(picture, layer).corners;
 
-/** Their rms error [px]. @param {Picture} picture @param {Layer} layer */
+/** RMS error of a picture's corners [px]. @param {Picture} picture @param {Layer} layer */
 export const pictureError = (picture, layer) => lookUp(picture, layer).error;
 
 /** @param {Corner} corner */
 export const lengthOf = ({du, dv}) => Math.hypot(du, dv);
 
-/** The rms error of corners [px]. @param {Corner[]} corners */
+/** RMS length of the error vectors [px]. @param {Corner[]} corners */
 export const errorOf = corners => rms(corners.map(lengthOf));
 
-/** Their mean error, to the right and down [px]. @param {Corner[]} corners @returns {[number, number]} */
+/** Mean error vector, right and down [px]. @param {Corner[]} corners @returns {[number, number]} */
 export const meanErrorOf = corners => [mean(corners.map(({du}) => du)), mean(corners.map(({dv}) => dv))];
 
-/** Each picture's board views: {picture, board, corners}. @param {Picture[]} pictures @param {Layer} layer */
+/** One entry per board and picture. @param {Picture[]} pictures @param {Layer} layer */
 export const boardViews = (pictures, layer) => pictures.flatMap(picture =>
   [...groupBy(cornersOf(picture, layer), ({board}) => board)].map(([board, corners]) => ({picture, board: String(board), corners})));
 
 /**
- * When each picture was taken [s]: from the first of its set on, sets one after the other.
+ * Capture time of each picture [s]; sets follow each other with a gap.
  * @param {Picture[]} pictures
  * @returns {Map<Picture, number>}
  */

@@ -1,8 +1,8 @@
-// Elements, notes beside the pointer, and files for the person.
+// DOM elements, tooltips and file downloads.
 
 /**
- * element("p", {class: "soft", onclick}, "text", child): properties that are functions are listeners; no child is made
- * of null.
+ * element("p", {class: "soft", onclick}, "text", child): function properties become event listeners;
+ * null and undefined children are skipped.
  * @template {keyof HTMLElementTagNameMap} T
  * @param {T} tag
  * @param {Record<string, any>} [properties]
@@ -24,7 +24,7 @@ export function element(tag, properties = {}, ...children) {
 /** @param {(Node | string | number | null | undefined)[]} children */
 const present = children => children.filter(child => child !== null && child !== undefined).map(child => typeof child === "number" ? String(child) : child);
 
-/** The element of the page with that id. @param {string} id @returns {any} */
+/** Shorthand for getElementById. @param {string} id @returns {any} */
 export const at = id => document.getElementById(id);
 
 /** @param {HTMLCanvasElement} canvas */
@@ -33,7 +33,7 @@ export const contextOf = canvas => /** @type {CanvasRenderingContext2D} */ (canv
 /** @param {string} text */
 export const bold = text => element("b", {}, text);
 
-/** A mark as drawings have it, for the words beside them. @param {string} name */
+/** A legend key: the mark as it is drawn in figures. @param {string} name */
 export const key = name => element("span", {class: "key " + name});
 
 /** @param {string} text @param {(event: any) => void} onclick @param {Record<string, any>} [properties] */
@@ -42,7 +42,7 @@ export const button = (text, onclick, properties = {}) => element("button", {typ
 /** @typedef {{value: string, text: string, group?: string}} Option */
 
 /**
- * A choice; with an id a view that is drawn anew finds it again.
+ * A labelled select; with an id, redrawing restores its focus.
  * @param {string} label
  * @param {Option[]} options
  * @param {string} chosen
@@ -64,17 +64,17 @@ export function choice(label, options, chosen, changed, id) {
   return element("label", {}, label + " ", select);
 }
 
-/** What was chosen last, by the id of the choice. @type {Map<string, string>} */
+/** Last selected value, by id of the select. @type {Map<string, string>} */
 const chosenLast = new Map();
 
 /**
- * A choice with what it chooses below it; alone where there is nothing to choose. Made anew, it stands at what was
- * chosen last.
+ * A select with the selected content below it; only the content if there is one option. Recreated with the same id, it
+ * restores the last selection.
  * @param {string} id
  * @param {string} label
  * @param {Option[]} options
  * @param {(value: string) => Node} show
- * @param {string} [first] what to begin with
+ * @param {string} [first] initial value
  */
 export function choosing(id, label, options, show, first = options[0].value) {
   const last = chosenLast.get(id), begin = options.some(({value}) => value === last) ? /** @type {string} */ (last) : first;
@@ -87,7 +87,7 @@ export function choosing(id, label, options, show, first = options[0].value) {
 }
 
 /**
- * Draws anew, without taking the focus and the place in its text from an element with an id that is there again.
+ * Redraws; focus and text selection move to the new element with the same id.
  * @param {Element} parent
  * @param {() => void} draw
  */
@@ -105,7 +105,7 @@ export function keepingFocus(parent, draw) {
 export const renew = (parent, ...children) => keepingFocus(parent, () => parent.replaceChildren(...present(children)));
 
 /**
- * A question that a person answers before anything happens; `yes`: words, or a button of its own.
+ * Inline confirmation; `yes`: label of the confirming button, or the button itself.
  * @param {string | Node | (string | Node)[]} words
  * @param {string | Node} yes
  * @param {(() => void) | null} action
@@ -129,7 +129,7 @@ export function showTip(event, text) {
 }
 export const hideTip = () => { at("tip").hidden = true; };
 
-/** The note `text` beside the pointer while it is over `part`. @template {HTMLElement} E @param {E} part @param {string} text */
+/** Shows a tooltip while the pointer is over `part`. @template {HTMLElement} E @param {E} part @param {string} text */
 export function tipOver(part, text) {
   part.addEventListener("pointermove", where => showTip(where, text));
   part.addEventListener("pointerdown", where => showTip(where, text));
@@ -137,7 +137,7 @@ export function tipOver(part, text) {
   return part;
 }
 
-/** Text to take along: a box that copies itself. @param {string} title @param {string} text */
+/** Read-only text box whose content can be copied. @param {string} title @param {string} text */
 export function copyBox(title, text) {
   const box = element("textarea", {readOnly: true, spellcheck: false, rows: text.split("\n").length, "aria-label": title});
   box.value = text;
@@ -148,7 +148,7 @@ export function copyBox(title, text) {
   return element("div", {class: "copy"}, element("p", {}, title, copy), box);
 }
 
-/** What a browser saves as a file. @param {string} name @param {Blob | string} content @param {string} [type] */
+/** Offers content as a file download. @param {string} name @param {Blob | string} content @param {string} [type] */
 export function download(name, content, type) {
   const url = URL.createObjectURL(content instanceof Blob ? content : new Blob([content], {type}));
   element("a", {href: url, download: name}).click();
@@ -161,7 +161,7 @@ export const csv = rows => rows.map(row => row.map(cell => {
   return /[",\n]/.test(text) ? '"' + text.replaceAll('"', '""') + '"' : text;
 }).join(",")).join("\n") + "\n";
 
-/** A table with a button that saves it. @param {HTMLTableElement} table @param {string} name */
+/** A table with a button that saves it as CSV. @param {HTMLTableElement} table @param {string} name */
 export const csvTable = (table, name) => element("div", {class: "tabled"}, button("CSV", () => download(name + ".csv", csv(
   [...table.rows].map(row => [...row.cells].map(cell => cell.querySelector("input")?.value ?? cell.innerText.replaceAll("−", "-")))), "text/csv"),
   {class: "small", "aria-label": "save as CSV: " + name}), table);

@@ -1,9 +1,9 @@
-// Canvases that redraw themselves and tell what is under the pointer.
+// Canvas figures: redrawn on resize, with a tooltip for the target under the pointer.
 import {contextOf, element, showTip, hideTip} from "naocal/lib/dom.js";
 
 /** @import {Target, Draw} from "naocal/lib/types.js" */
 
-/** The style sheet's colours, light or dark. @type {Record<string, string>} */
+/** Colours of the style sheet, for the present theme. @type {Record<string, string>} */
 export let colours = {};
 export const redrawAll = () => document.querySelectorAll(".figure").forEach(frame => /** @type {Figure} */ (frame).redraw());
 
@@ -26,20 +26,20 @@ export const font = "12px system-ui, sans-serif";
 
 /**
  * @typedef {object} FigureOptions
- * @property {string} label what it shows
+ * @property {string} label accessible name
  * @property {number | ((width: number) => number)} height
- * @property {Draw} draw paints it; returns what can be pointed at
+ * @property {Draw} draw paints the figure; returns the targets of the pointer
  * @property {string} [className]
- * @property {(picture: any) => void} [open] shows the picture that a target belongs to
+ * @property {(picture: any) => void} [open] opens the picture of a clicked target
  */
 
-/** Called with each new figure. @type {((frame: Figure, options: FigureOptions) => void)[]} */
+/** Observers of new figures. @type {((frame: Figure, options: FigureOptions) => void)[]} */
 const listeners = [];
 /** @param {(frame: Figure, options: FigureOptions) => void} listener */
 export const onNewFigure = listener => { listeners.push(listener); };
 
 /**
- * A frame with a canvas, which `redraw` draws again.
+ * A frame with a canvas; `redraw` repaints it.
  * @param {FigureOptions} options
  * @returns {Figure}
  */
@@ -103,7 +103,7 @@ export function figure(options) {
 }
 
 /**
- * A figure with a caption, which `draw` may fill as it draws.
+ * A figure with a caption that `draw` fills.
  * @param {Omit<FigureOptions, "draw"> & {draw: (context: CanvasRenderingContext2D, width: number, height: number, caption: HTMLElement) => Target[] | void}} options
  */
 export function captioned({draw, ...options}) {
@@ -111,5 +111,5 @@ export function captioned({draw, ...options}) {
   return element("figure", {}, figure({...options, draw: (context, width, height) => draw(context, width, height, caption)}), caption);
 }
 
-/** A camera's picture as high as it is. @param {{width: number, height: number}} size */
+/** Figure height that keeps the aspect ratio of a picture. @param {{width: number, height: number}} size */
 export const inProportion = ({width, height}) => (/** @type {number} */ shown) => shown * height / width;

@@ -1,14 +1,14 @@
-// Numbers, units and states in words.
+// Formatting of numbers, units and states.
 
 /** @import {Size} from "naocal/lib/types.js" */
 
-/** A true minus. @param {string} text */
+/** Replaces the hyphen by a minus sign. @param {string} text */
 const minus = text => text.replace("-", "−");
 
 /** @param {string} text @param {string} [unit] */
 export const withUnit = (text, unit) => !unit ? text : unit.startsWith("°") ? text + unit : text + " " + unit;
 
-/** The value with as many digits as its error bar deserves. @param {number} value @param {number} sigma */
+/** "value ± sigma", rounded to two significant digits of sigma. @param {number} value @param {number} sigma */
 export function withError(value, sigma, unit = "") {
   const digits = Math.min(6, Math.max(0, 1 - Math.floor(Math.log10(Math.abs(sigma) || 1))));
   return withUnit(minus(value.toFixed(digits)) + " ± " + sigma.toFixed(digits), unit);
@@ -18,7 +18,7 @@ export function withError(value, sigma, unit = "") {
 export const sizeWords = ({name, value, sigma, unit, told}) =>
   told === false || value === null || sigma === null ? name + " undetermined" : name + " = " + withError(value, sigma, unit);
 
-/** The smallest size that these captures would show. @param {Size} size */
+/** Smallest detectable size, two digits. @param {Size} size */
 export const detectableWords = ({detectable, unit}) => detectable === null ? "–" : withUnit(String(Number(detectable.toPrecision(2))), unit);
 
 /** @param {number} value */
@@ -27,7 +27,7 @@ export const px = value => minus(value.toFixed(Math.abs(value) < 10 ? 2 : 1)) + 
 /** @param {number} value */
 export const px3 = value => value.toFixed(3) + " px";
 
-/** Three digits at most; a dash for what is not known. @param {number | null | undefined} value */
+/** At most three significant digits; a dash for unknown values. @param {number | null | undefined} value */
 export const short = value => value === null || value === undefined || !isFinite(value) ? "–"
   : minus(String(Number(value.toPrecision(3))));
 
@@ -47,7 +47,7 @@ export const chance = p => p < 0.001 ? "p < 0.001" : "p = " + Number(p.toPrecisi
 export const direction = (x, y) =>
   px(Math.abs(x)) + (x < 0 ? " to the left, " : " to the right, ") + px(Math.abs(y)) + (y < 0 ? " up" : " down");
 
-// What is concluded of a candidate: by the key that files and style sheets use, its name, and the name explained.
+// Candidate states by their key in files and style sheets: display name and explanation.
 /** @type {Record<string, {name: string, words: string}>} */
 const states = {
   "present": {name: "needed", words: "the misfit needs it"},

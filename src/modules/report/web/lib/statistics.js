@@ -1,13 +1,13 @@
-// Statistics of lists of numbers, and means of points over bins.
+// Statistics of number lists; binned means.
 
 /** @param {number[]} values */
 export const mean = values => values.reduce((a, b) => a + b, 0) / values.length;
 
-/** The root of the mean square; 0 of no values. @param {number[]} values */
+/** Root mean square; 0 for an empty list. @param {number[]} values */
 export const rms = values => Math.sqrt(values.reduce((sum, value) => sum + value * value, 0) / Math.max(1, values.length));
 
 /**
- * The value that a share of the values does not exceed; 0 when there are none.
+ * Quantile at `share` (lower value, not interpolated); 0 for an empty list.
  * @param {number[]} values
  * @param {number} share
  */
@@ -16,11 +16,11 @@ export function quantile(values, share) {
   return sorted.length ? sorted[Math.floor(share * (sorted.length - 1))] : 0;
 }
 
-/** Smallest and largest value, however many there are. @param {number[]} values @returns {[number, number]} */
+/** Minimum and maximum; no spread arguments, so lists of any length work. @param {number[]} values @returns {[number, number]} */
 export const extent = values => [values.reduce((a, b) => Math.min(a, b), Infinity), values.reduce((a, b) => Math.max(a, b), -Infinity)];
 
 /**
- * Lists of members by a key.
+ * Groups members by key.
  * @template T
  * @param {Iterable<T>} list
  * @param {(member: T) => string | number} keyOf
@@ -39,16 +39,16 @@ export function groupBy(list, keyOf) {
 
 /** @typedef {{x: number, y: number, sigma?: number}} Point */
 
-const fewValues = 6; // of x: then each is a bin of its own
+const fewValues = 6; // distinct values of x; up to this, each is its own bin
 
 /**
- * Means of points over bins of x with as many groups each, or one for each value of x where there are few. Points with
- * sigmas weigh by them. Points of one group count once, for they are not independent; with `places` once in each of so
- * many parts of the range of x. The standard error comes from how the groups of a bin differ; where points have sigmas
- * it is never below what these say.
+ * Means over bins of x with equal numbers of groups, or one bin per distinct x if there are few. Points with sigmas are
+ * weighted by 1/sigma^2. Points of a group are not independent and count as one: their mean; with `places`, one mean per
+ * group and 1/places of the range of x. The standard error is estimated from the scatter between the groups of a bin;
+ * with sigmas, it is at least the propagated one. Bins of one group are dropped.
  * @template {Point} P
  * @param {P[]} points
- * @param {{groupOf: (point: P) => string | number, places?: number, most?: number}} grouping most: number of bins
+ * @param {{groupOf: (point: P) => string | number, places?: number, most?: number}} grouping most: maximum number of bins
  * @returns {{x: number, y: number, error: number}[]}
  */
 export function binnedMeans(points, {groupOf, places = 0, most = 10}) {
@@ -59,7 +59,7 @@ export function binnedMeans(points, {groupOf, places = 0, most = 10}) {
     .filter(({error}) => error > 0);
 }
 
-/** How many standard errors means lie from zero, as root mean square; 0 of fewer than two. @param {{y: number, error: number}[]} means */
+/** RMS of the means in units of their standard errors; 0 for fewer than two means. @param {{y: number, error: number}[]} means */
 export const trendStrength = means => means.length > 1 ? rms(means.map(({y, error}) => y / error)) : 0;
 
 /** @param {Point[]} list @returns {Point} */
@@ -69,7 +69,7 @@ function weightedMean(list) {
   return {x: over("x"), y: over("y"), ...(list[0].sigma !== undefined && {sigma: sum ** -0.5})};
 }
 
-/** Of the mean of a bin. @param {Point[]} bin */
+/** Standard error of a bin's weighted mean. @param {Point[]} bin */
 function standardError(bin) {
   const {y: middle, sigma} = weightedMean(bin);
   const spread = Math.sqrt(bin.reduce((sum, {y, sigma: own}) => sum + ((y - middle) / (own ?? 1)) ** 2, 0) / (bin.length - 1));

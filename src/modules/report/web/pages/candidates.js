@@ -1,4 +1,4 @@
-// The table of candidates, and what these captures cannot tell of them.
+// The candidate table, and the list of candidates that these captures cannot test.
 import {at, bold, element, renew} from "naocal/lib/dom.js";
 import {detectableWords} from "naocal/lib/format.js";
 import {groupBy} from "naocal/lib/statistics.js";
@@ -29,7 +29,7 @@ export function showCandidates(candidates) {
   show();
 }
 
-/** In words: what these captures cannot tell, and why. @param {Candidate[]} candidates */
+/** List of the candidates that these captures cannot test or separate, with reasons. @param {Candidate[]} candidates */
 export function untested(candidates) {
   const of = (/** @type {string} */ state) => candidates.filter(candidate => candidate.state === state);
   const item = (/** @type {string} */ title, /** @type {string} */ words, /** @type {string[]} */ members) =>

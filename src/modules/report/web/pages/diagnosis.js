@@ -1,4 +1,4 @@
-// The page of a diagnosis.
+// Entry point of the diagnosis page.
 import {at, copyBox, element} from "naocal/lib/dom.js";
 import {errorLadder} from "naocal/plots/error-ladder.js";
 import {views} from "naocal/plots/views.js";

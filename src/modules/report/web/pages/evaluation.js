@@ -1,4 +1,4 @@
-// The page of an evaluation: success over the tolerance, and each joint's errors before and after.
+// Entry point of the evaluation page: success rate over tolerance, and histograms of each joint's error before and after calibration.
 import {at, bold, choosing, element} from "naocal/lib/dom.js";
 import {colours, figure} from "naocal/lib/figure.js";
 import {axes} from "naocal/lib/axes.js";
@@ -61,7 +61,7 @@ function drawSuccess(context, width, height, {solvers, thesis}) {
 
 /** @typedef {{counts: number[], first: number, width: number}} Histogram */
 
-// The outlines of histograms, each to its own height: errors after are hundreds of times narrower than before.
+// Histogram outlines, each normalised to its maximum: errors after calibration are hundreds of times narrower than before.
 /** @param {CanvasRenderingContext2D} context @param {number} width @param {number} height @param {{before: Histogram, solvers: (Histogram & {solver: string})[]}} joint */
 function drawErrors(context, width, height, {before, solvers}) {
   const box = {left: 46, right: width - 8, top: 26, bottom: height - 42};
@@ -96,7 +96,7 @@ function drawErrors(context, width, height, {before, solvers}) {
 }
 
 /**
- * A choice of lists of figures, what is hardest first shown.
+ * A select of figure lists; the last one, the hardest, is shown first.
  * @param {string} id
  * @param {string} label
  * @param {{name: string}[]} offered

@@ -1,4 +1,4 @@
-// The page's data, and its head: the headline, a sentence, figures to remember, and what to take note of.
+// Reads the page's data and fills its head: headline, sentence, key figures, warnings.
 import {at, element} from "naocal/lib/dom.js";
 import {readColours} from "naocal/lib/figure.js";
 

@@ -1,4 +1,4 @@
-// Pictures with measured and predicted corners, a page at a time.
+// Paged gallery of pictures with measured and predicted corners.
 import {at, renew} from "naocal/lib/dom.js";
 import {pictureError} from "naocal/lib/captures.js";
 import {cornersFigure} from "naocal/plots/corners.js";
@@ -23,8 +23,8 @@ function photograph(picture, loaded) {
 }
 
 /**
- * Returns what brings one picture into view, and what shows the page anew.
- * @param {Picture[]} pictures by time
+ * Returns `show`, which redraws the page, and `open`, which turns to a picture's page and scrolls to it.
+ * @param {Picture[]} pictures sorted by time
  * @param {{layer: () => Layer, nameOf: (picture: Picture) => string}} options
  */
 export function showPictures(pictures, {layer, nameOf}) {

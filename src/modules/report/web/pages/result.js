@@ -1,4 +1,4 @@
-// The page of a result.
+// Entry point of the result page.
 import {at, choosing, element} from "naocal/lib/dom.js";
 import {redrawAll} from "naocal/lib/figure.js";
 import {direction} from "naocal/lib/format.js";
@@ -19,10 +19,10 @@ const data = readData();
 const nameOf = pictureNames(data.pictures), times = captureTimes(data.pictures);
 const timeOf = (/** @type {Picture} */ picture) => times.get(picture) ?? 0, byTime = [...data.pictures].sort((a, b) => timeOf(a) - timeOf(b));
 const severalSets = new Set(data.pictures.map(({set}) => set)).size > 1;
-const poseOf = (/** @type {Picture} */ picture) => (severalSets ? picture.set + "/" : "") + picture.pose; // its pictures share the joints' errors
+const poseOf = (/** @type {Picture} */ picture) => (severalSets ? picture.set + "/" : "") + picture.pose; // pictures of a pose share its joint errors
 const layer = () => /** @type {Layer} */ (at("layer").value);
 
-/** Mean errors of boards in pictures over a number of the picture, if it has one. @param {(picture: Picture) => number | undefined} valueOf */
+/** Mean error of each board and picture over a value of the picture; skips pictures without it. @param {(picture: Picture) => number | undefined} valueOf */
 function trendPoints(valueOf) {
   return boardViews(data.pictures, layer()).flatMap(({picture, board, corners}) => {
     const x = valueOf(picture), trusted = corners.filter(({weight}) => weight >= doubtfulBelow);
@@ -31,14 +31,14 @@ function trendPoints(valueOf) {
 }
 /** @typedef {ReturnType<typeof trendPoints>} TrendPoints */
 
-/** Their means to the right (0) or down (1), doubtful corners left out. @param {TrendPoints} points @param {0 | 1} side @param {(picture: Picture) => string} groupOf */
+/** Binned means to the right (0) or down (1), without doubtful corners. @param {TrendPoints} points @param {0 | 1} side @param {(picture: Picture) => string} groupOf */
 const meansOf = (points, side, groupOf) => binnedMeans(points.flatMap(({x, picture, trusted}) => trusted ? [{x, y: trusted[side], picture}] : []),
   {groupOf: ({picture}) => groupOf(picture)});
 
-/** Side by side. @param {TrendPoints} points @param {{label: string, xLabel: string, groupOf: (picture: Picture) => string}} options */
+/** Plots of both error components, side by side. @param {TrendPoints} points @param {{label: string, xLabel: string, groupOf: (picture: Picture) => string}} options */
 function trend(points, {label, xLabel, groupOf}) {
   const sides = /** @type {(0 | 1)[]} */ ([0, 1]).map(side => ({side, means: meansOf(points, side, groupOf)}));
-  const least = Math.max(quantile(points.flatMap(({error}) => error.map(Math.abs)), 0.98), // the same axis for both
+  const least = Math.max(quantile(points.flatMap(({error}) => error.map(Math.abs)), 0.98), // common y axis
     ...sides.flatMap(({means}) => means.map(({y, error}) => Math.abs(y) + 2 * error)));
   return element("div", {class: "grid"}, ...sides.map(({side, means}) => residualScatter({
     points: points.map(({x, picture, board, error}) => ({x, y: error[side], picture, tip: () => nameOf(picture) + "\nboard " + board +
@@ -47,7 +47,7 @@ function trend(points, {label, xLabel, groupOf}) {
   }, {label: label + (side ? ", down" : ", to the right"), open: pictures.open})));
 }
 
-/** The joints that moved enough to tell anything, the strongest trend first. */
+/** Joints that moved by more than 1 degree, strongest trend first. */
 function movedJoints() {
   const names = new Set(data.pictures.flatMap(({angles}) => Object.keys(angles ?? {})));
   return [...names].map(name => ({name, points: trendPoints(({angles}) => angles?.[name])})).filter(({points}) => {

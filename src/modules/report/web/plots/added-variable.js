@@ -1,4 +1,4 @@
-// Added-variable plots: a point for each pose, whose line's slope is a candidate's size.
+// Added-variable plot: one point per pose; the slope of the line is the candidate's size.
 import {bold, button, element, renew} from "naocal/lib/dom.js";
 import {figure, colours} from "naocal/lib/figure.js";
 import {axes, dot} from "naocal/lib/axes.js";
@@ -27,7 +27,7 @@ const slopeWords = ({of, unit}, slope, sigma) =>
 /** @param {number} value */
 const twoDigits = value => short(Number(value.toPrecision(2)));
 
-/** The size, and how far it rests on one pose. @param {AddedVariable} added @param {(pose: number) => string} poseName */
+/** The size, and its significance without the most influential pose. @param {AddedVariable} added @param {(pose: number) => string} poseName */
 function summary(added, poseName) {
   const {slope, sigma, points} = added, strength = Math.abs(slope) / sigma;
   const without = points.filter(([pose]) => pose !== null).map(([pose, x, y]) => {
@@ -44,7 +44,7 @@ function summary(added, poseName) {
 }
 
 /**
- * A point for each pose, a line whose slope is the effect's size, and its band of two standard errors.
+ * One point per pose, the fitted line, and its band of two standard errors.
  * @param {CanvasRenderingContext2D} context
  * @param {number} width
  * @param {number} height

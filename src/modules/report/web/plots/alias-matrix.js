@@ -1,4 +1,4 @@
-// How much alike the first candidates are, as a heat map; those that cannot be told from one another stand together.
+// Heat map of the first candidates' correlations; indistinguishable candidates are adjacent.
 import {element} from "naocal/lib/dom.js";
 import {figure, colours} from "naocal/lib/figure.js";
 import {fitting} from "naocal/lib/axes.js";
@@ -7,13 +7,13 @@ import {fitting} from "naocal/lib/axes.js";
 
 /** @param {Aliases} aliases */
 export function aliasMatrix(aliases) {
-  const order = classesTogether(aliases), top = 42; // room for the numbers, and above them for buttons [px]
+  const order = classesTogether(aliases), top = 42; // space for the column numbers and the buttons above [px]
   const highOf = (/** @type {number} */ width) => Math.max(15, Math.min(30, (width - nameWidth(width)) / order.length));
   return figure({height: width => top + order.length * highOf(width), label: "correlation of the first candidates",
     draw: (context, width) => draw(context, width, {...aliases, order, top, high: highOf(width)})});
 }
 
-/** Candidates' places: behind each that was added those that the captures cannot tell from it. @param {Aliases} aliases */
+/** Display order: each candidate, followed by those that the captures cannot distinguish from it. @param {Aliases} aliases */
 function classesTogether({candidates, confusable}) {
   const order = new Set();
   candidates.forEach((label, i) => {

@@ -1,4 +1,4 @@
-// Where the corners of each board lie beside where its file has them, seen by all its pictures together.
+// Estimated corner positions of each board relative to its file, from all its pictures.
 import {bold, element, key} from "naocal/lib/dom.js";
 import {captioned, colours} from "naocal/lib/figure.js";
 import {arrow, enlargedWords} from "naocal/lib/axes.js";
@@ -8,7 +8,7 @@ import {modelChoice} from "naocal/plots/model-choice.js";
 
 /** @import {Shape, View} from "naocal/lib/types.js" */
 
-/** The room that a board's corners need [m]. @param {Shape} shape */
+/** Extent of a board's corners [m], with a margin; `tall`: height over width. @param {Shape} shape */
 function planOf({corners}) {
   const [left, right] = extent(corners.map(({place}) => place[0])), [bottom, top] = extent(corners.map(({place}) => place[1]));
   const margin = 0.12 * Math.max(right - left, top - bottom), wide = right - left + 2 * margin;
@@ -16,7 +16,7 @@ function planOf({corners}) {
 }
 
 /**
- * The sheet with its outline, and how long a millimetre is drawn.
+ * Draws the sheet's outline and a scale bar.
  * @param {CanvasRenderingContext2D} context
  * @param {number} width
  * @param {number} height
@@ -56,7 +56,7 @@ export function boardShape(shape) {
       context.beginPath();
       context.arc(x, y, enlarged * millimetre * Math.abs(dz), 0, 7);
       context.fill();
-      const certain = Math.hypot(dx / sx, dy / sy) > 2.5; // two numbers beside two standard errors of one
+      const certain = Math.hypot(dx / sx, dy / sy) > 2.5; // 2.5: two components, at about 95 %
       context.globalAlpha = certain ? 1 : 0.35;
       arrow(context, colours.ink, certain ? 1.5 : 1, x, y, enlarged * millimetre * dx, -enlarged * millimetre * dy);
       context.globalAlpha = 1;

@@ -1,4 +1,4 @@
-// Every candidate as a row: evidence, size, what was concluded, and what it would do to the errors.
+// Candidate table: evidence, size, state, and effect on the errors.
 import {button, element, tipOver} from "naocal/lib/dom.js";
 import {allStates, chance, detectableWords, percent, px, short, sizeWords, stateName, stateTip, tenths} from "naocal/lib/format.js";
 
@@ -9,13 +9,13 @@ import {allStates, chance, detectableWords, percent, px, short, sizeWords, state
 /** @param {Candidate} candidate */
 const isTested = ({state}) => state !== "no-data";
 
-/** The state whose words a candidate gets. @param {Candidate} candidate */
+/** The displayed state of a candidate. @param {Candidate} candidate */
 const said = ({says, state}) => says ?? state;
 
 /** @param {Candidate} candidate */
 export const stateChip = candidate => element("span", {class: "state " + candidate.state}, stateName(said(candidate)));
 
-/** "elasticity@" and "LKneePitch", where a line may break. @param {string} label */
+/** Splits a label after its at sign, where a line may break: "elasticity@", "LKneePitch". @param {string} label */
 export const brokenLabel = label => label.split(/(?<=@)/).flatMap((part, i) => i ? [element("wbr"), part] : [part]);
 
 /** @param {Candidate} candidate @param {number} most */
@@ -25,7 +25,7 @@ function strength({state, evidence}, most) {
   return [element("span", {class: "number"}, state !== "no-data" && evidence !== null ? tenths(evidence) : "–"), element("span", {class: "axis"}, bar)];
 }
 
-/** The columns that pages choose from. */
+/** Available columns. */
 export const columns = {
   /** @type {Column} */
   evidence: {title: "evidence", className: "strength", cell: strength,
@@ -46,12 +46,12 @@ export const columns = {
     cell: one => [isTested(one) ? short(one.predictedDrop) + (one.realDrop === null ? "" : " / " + short(one.realDrop)) : "–"]},
 };
 
-/** What else is to be said, below the label. @param {Candidate} candidate */
+/** Remarks shown below the label. @param {Candidate} candidate */
 export const remarks = ({state, why, equivalent, plausible}) => [why,
   equivalent.length ? "cannot be told from " + equivalent.join(", ") : "",
   !plausible && state !== "no-data" ? "larger than plausible" : ""].filter(Boolean).join("; ");
 
-/** All numbers of a candidate. @param {Candidate} candidate */
+/** Tooltip with all numbers of a candidate. @param {Candidate} candidate */
 export function candidateTip(candidate) {
   const {label, sizes, power, kept, evidence, pValue, predictedDrop, realDrop, before, after, step} = candidate;
   if (!isTested(candidate)) return label + "\n" + stateTip(said(candidate));
@@ -64,10 +64,10 @@ export function candidateTip(candidate) {
 }
 
 /**
- * @param {Candidate[]} candidates those shown
+ * @param {Candidate[]} candidates the rows
  * @param {Column[]} shown
- * @param {{most: number, rowOf?: (candidate: Candidate) => Record<string, any>}} options `most`: the evidence of the longest
- *   bar; `rowOf`: properties of a candidate's row
+ * @param {{most: number, rowOf?: (candidate: Candidate) => Record<string, any>}} options `most`: evidence of the longest
+ *   bar; `rowOf`: attributes of a candidate's row
  */
 export const candidateTable = (candidates, shown, {most, rowOf = () => ({})}) => element("table", {class: "candidates"},
   element("thead", {}, element("tr", {}, ...shown.map(({title, words, className}) =>
@@ -75,11 +75,11 @@ export const candidateTable = (candidates, shown, {most, rowOf = () => ({})}) =>
   element("tbody", {}, ...candidates.map(candidate => tipOver(element("tr", rowOf(candidate), ...shown.map(({title, className, cell}) =>
     element("td", {class: className, "data-title": title}, ...cell(candidate, most)))), candidateTip(candidate)))));
 
-/** Those of a state; "" for all. @param {Candidate[]} candidates @param {string} state */
+/** Candidates of a state; "" for all. @param {Candidate[]} candidates @param {string} state */
 export const ofState = (candidates, state) => candidates.filter(candidate => !state || said(candidate) === state);
 
 /**
- * Buttons that show the candidates of one state only.
+ * Filter buttons, one per state.
  * @param {Candidate[]} candidates
  * @param {string} shown "" for all
  * @param {(state: string) => void} choose

@@ -1,4 +1,4 @@
-// One picture with its corners: a ring where measured, a line to the cross where predicted.
+// One picture with its corners: ring = measured, cross = predicted, joined by a line.
 import {bold} from "naocal/lib/dom.js";
 import {captioned, colours, inProportion} from "naocal/lib/figure.js";
 import {enlargement, enlargedWords} from "naocal/lib/axes.js";
@@ -7,11 +7,11 @@ import {cornersOf, lengthOf, pictureError} from "naocal/lib/captures.js";
 
 /** @import {Corner, Layer, Picture} from "naocal/lib/types.js" */
 
-export const doubtfulBelow = 0.5; // of a corner's weight
+export const doubtfulBelow = 0.5; // weight; corners below are drawn as doubtful
 
 /**
- * A corner: a ring where measured, a line to a cross where predicted; as a halo broad and pale, to make it stand out
- * from a photograph.
+ * Draws a corner: ring = measured, cross = predicted. `halo`: a wide pale underlay, for contrast with the
+ * photograph.
  * @param {CanvasRenderingContext2D} context
  * @param {{x: number, y: number, endX: number, endY: number, doubtful?: boolean}} corner
  * @param {boolean} halo
@@ -34,7 +34,7 @@ export function drawCorner(context, {x, y, endX, endY, doubtful}, halo) {
 }
 
 /**
- * Where corners lie in a drawing of their picture, their errors enlarged.
+ * Targets of corners in drawing coordinates, with their errors enlarged.
  * @param {Corner[]} corners
  * @param {number} scale
  * @param {number} enlarged
@@ -57,9 +57,9 @@ export function cornerTip(corner, nameOf) {
 /**
  * @param {Picture} picture
  * @param {object} options
- * @param {() => Layer} options.layer which errors are drawn
+ * @param {() => Layer} options.layer residuals to draw
  * @param {(picture: Picture) => string} options.nameOf
- * @param {(picture: Picture, loaded: () => void) => HTMLImageElement | null} options.photograph what lies behind, once it is there
+ * @param {(picture: Picture, loaded: () => void) => HTMLImageElement | null} options.photograph background image; null until loaded
  */
 export function cornersFigure(picture, {layer, nameOf, photograph}) {
   const drawn = captioned({
@@ -78,9 +78,9 @@ export function cornersFigure(picture, {layer, nameOf, photograph}) {
       targets.forEach(target => drawCorner(context, target, false));
       caption.replaceChildren(bold(px(pictureError(picture, layer())) + " rms"), ", " + enlargedWords(enlarged) + ": " + nameOf(picture) +
         ", " + (picture.boards.length === 1 ? "board " : "boards ") + picture.boards.map(({board}) => board).join(", "));
-      return targets.map(({picture: _, ...target}) => target); // it is shown already
+      return targets.map(({picture: _, ...target}) => target); // the picture is already shown
     },
   });
-  /** @type {HTMLElement} */ (drawn.firstChild).style.aspectRatio = picture.width + "/" + picture.height; // its place before it is drawn
+  /** @type {HTMLElement} */ (drawn.firstChild).style.aspectRatio = picture.width + "/" + picture.height; // reserves the space before the first drawing
   return drawn;
 }

@@ -1,4 +1,4 @@
-// A joint's deflection over a driver, and the expression that follows it.
+// A joint's deflection over a driver, with the fitted expression.
 import {bold, copyBox, element} from "naocal/lib/dom.js";
 import {figure, colours} from "naocal/lib/figure.js";
 import {axes, dot} from "naocal/lib/axes.js";
@@ -15,12 +15,12 @@ export function driverCurve(curve, {ownEffect = modelText} = {}) {
     evidence > 0 && model ? ownEffect(curve) : null);
 }
 
-/** The expression as a model file, each unknown on one line. @param {Curve} curve */
+/** The expression as a model file, one line per unknown. @param {Curve} curve */
 const modelText = ({expression, model}) => copyBox("like " + expression,
   JSON.stringify(model, null, 1).replace(/\{\s+("sigma": [^,]+),\s+("unit": "[^"]+")\s+\}/g, "{$1, $2}"));
 
 /**
- * With a band of two standard errors; a few points on their own, where there is nothing between them.
+ * Draws the curve with a band of two standard errors; few points are drawn separately, as nothing is known between them.
  * @param {CanvasRenderingContext2D} context
  * @param {number} width
  * @param {number} height

@@ -1,4 +1,4 @@
-// Joints by drivers: how well a curve of each joint over each driver would explain what is left over.
+// Heat map of joints by drivers: evidence for a curve of each joint's error over each driver.
 import {bold, element} from "naocal/lib/dom.js";
 import {figure, font, colours} from "naocal/lib/figure.js";
 import {chance, driverWords, tenths} from "naocal/lib/format.js";
@@ -9,14 +9,14 @@ import {chance, driverWords, tenths} from "naocal/lib/format.js";
 const bestOf = cells => cells.reduce((a, b) => a.evidence > b.evidence ? a : b);
 /** @param {MapCell[]} cells */
 const jointsOf = cells => [...new Set(cells.map(({joint}) => joint))];
-const top = 132; // room for the drivers' names [px]
+const top = 132; // height of the column headings [px]
 const shortNames = new Map([["t", "time"], ["T", "temperature"], ["qd", "speed"]]);
 /** @param {string} name */
 const shortName = name => shortNames.get(name) ?? name.replace("tau_", "torque ");
 
-/** The fuller a cell's colour, the better a curve explains the misfit. @param {MapCell[]} cells */
+/** Heat map; the colour's strength is the evidence for a curve. @param {MapCell[]} cells */
 export function driverMap(cells) {
-  const joints = jointsOf(cells), best = bestOf(cells), most = Math.max(6, best.evidence); // 6: below it nothing deserves the darkest
+  const joints = jointsOf(cells), best = bestOf(cells), most = Math.max(6, best.evidence); // evidence below 6 never gets the full colour
   const rank = (/** @type {string} */ name) => joints.includes(name) ? 0 : name.startsWith("tau_") ? 1 : 2;
   const drivers = [...new Set(cells.map(({driver}) => driver))].sort((a, b) => rank(a) - rank(b));
   return figure({
@@ -64,7 +64,7 @@ function drawNames(context, joints, drivers, {left, wide, high}) {
   });
 }
 
-/** The meaning of a cell's colour, in the corner above the joints' names. @param {CanvasRenderingContext2D} context @param {number} most */
+/** Colour scale, in the corner above the joints' names. @param {CanvasRenderingContext2D} context @param {number} most */
 function drawScale(context, most) {
   context.fillStyle = colours.soft;
   context.textBaseline = "alphabetic";

@@ -1,4 +1,4 @@
-// What an effect would do to these captures were they perfect otherwise: arrows before and after refitting.
+// Signature of an effect in otherwise error-free captures: residuals before and after refitting.
 import {bold, button, choosing, element, key} from "naocal/lib/dom.js";
 import {captioned, colours, inProportion} from "naocal/lib/figure.js";
 import {arrow, enlargement, enlargedWords} from "naocal/lib/axes.js";
@@ -8,7 +8,7 @@ import {captureNames} from "naocal/lib/captures.js";
 
 /** @import {Candidate, Diagnosis, Signature, SignaturePicture, View} from "naocal/lib/types.js" */
 
-/** All cameras side by side, the pictures with the largest shifts first. @param {Candidate} candidate @param {Diagnosis} data */
+/** All cameras side by side, pages with the largest shifts first. @param {Candidate} candidate @param {Diagnosis} data */
 export function effectSignature({label, imprint}, data) {
   const signature = /** @type {Signature} */ (imprint), pages = Object.keys(data.cameras).map(camera => ({camera, pages: pagesOf(signature, camera, data)}));
   const count = Math.max(1, ...pages.map(({pages}) => pages.length)), grid = element("div", {class: "grid"}), rank = element("span");
@@ -26,7 +26,7 @@ export function effectSignature({label, imprint}, data) {
     count > 1 ? element("p", {class: "controls"}, larger, rank, smaller) : null, grid);
 }
 
-/** The pictures of a camera, a page after the other: one on each, or several where they show few corners. @param {Signature} signature @param {string} camera @param {Diagnosis} data */
+/** Pages of a camera's pictures: one each, or several with at most 12 corners in total. @param {Signature} signature @param {string} camera @param {Diagnosis} data */
 function pagesOf(signature, camera, data) {
   /** @type {SignaturePicture[][]} */
   const pages = [], few = 12;

@@ -1,4 +1,4 @@
-// Errors by pose or by board: a dot for each member, a dash for the rms of a group.
+// Errors by pose or board: a dot per member, a dash at the group's rms.
 import {axes, dot} from "naocal/lib/axes.js";
 import {colours, figure} from "naocal/lib/figure.js";
 import {px} from "naocal/lib/format.js";
@@ -12,7 +12,7 @@ import {errorOf} from "naocal/lib/captures.js";
 /** @typedef {ReturnType<typeof axes>} Scale */
 
 /**
- * Groups stand in the order of their first member.
+ * Groups are ordered by their first member.
  * @param {Member[]} members
  * @param {{xLabel: string, label: string, pixelNoise: number, open?: (picture: Picture) => void}} options
  */
@@ -48,7 +48,7 @@ function drawGroup(context, {x, y, line}, {name, list, place, highest}) {
   return targets;
 }
 
-/** The error that the corners' noise alone would leave. @param {Context} context @param {Box} box @param {number} level [px of the drawing] */
+/** Reference line: rms error expected from pixel noise alone. @param {Context} context @param {Box} box @param {number} level [px of the drawing] */
 function drawNoise(context, box, level) {
   context.strokeStyle = context.fillStyle = colours.soft;
   context.lineWidth = 1;
@@ -66,7 +66,7 @@ function drawNoise(context, box, level) {
   context.fillText(name, box.right, box.top - 13);
 }
 
-/** Names where they fit, else only what stands along the axis. @param {Context} context @param {string[]} names @param {Box} box @param {(value: number) => number} x @param {string} xLabel */
+/** Group names if they fit, and the axis label. @param {Context} context @param {string[]} names @param {Box} box @param {(value: number) => number} x @param {string} xLabel */
 function drawNames(context, names, box, x, xLabel) {
   context.fillStyle = colours.soft;
   context.textAlign = "center";

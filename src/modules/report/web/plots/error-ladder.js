@@ -1,13 +1,13 @@
-// The held-out error of each model, as bars that fall to the band of the noise floor.
+// Bar chart of each model's held-out error, with the noise floor.
 import {element, tipOver} from "naocal/lib/dom.js";
 import {chance, px3} from "naocal/lib/format.js";
 
 /** @import {Rung} from "naocal/lib/types.js" */
 
 /**
- * A bar per model: its held-out error, hollow where only the error of the fit is known.
+ * One bar per model: held-out error; hollow if only the fit's error is known.
  * @param {Rung[]} rungs
- * @param {{floorName?: string, at?: number, choose?: (rung: number) => void}} [options] `at`: the present model; `choose`: goes to another
+ * @param {{floorName?: string, at?: number, choose?: (rung: number) => void}} [options] `at`: present model; `choose`: selects a model
  */
 export function errorLadder(rungs, {floorName = "noise floor", at, choose} = {}) {
   const floor = rungs.reduce((last, rung) => rung.floor ?? last, 0);

@@ -1,4 +1,4 @@
-// Estimates with their error bars: one axis for each effect and unit.
+// Estimates with error bars, one axis per effect and unit.
 import {element} from "naocal/lib/dom.js";
 import {colours} from "naocal/lib/figure.js";
 import {ticks} from "naocal/lib/axes.js";
@@ -7,7 +7,7 @@ import {extent} from "naocal/lib/statistics.js";
 
 /** @import {EstimateGroup} from "naocal/lib/types.js" */
 
-/** Where a value lies on the group's axis, 0 to 1, and its round numbers. @param {EstimateGroup} group */
+/** The group's axis: position of a value, 0 to 1, and tick values. @param {EstimateGroup} group */
 function axisOf({rows}) {
   const [low, high] = extent(rows.flatMap(row => [row.low, row.high, 0])), margin = 0.04 * (high - low || 1);
   return {share: (/** @type {number} */ value) => (value - low + margin) / (high - low + 2 * margin), marks: ticks(low - margin, high + margin, 6)};
@@ -16,7 +16,7 @@ function axisOf({rows}) {
 /** Title of a group: "Joint offset [°]". @param {EstimateGroup} group */
 export const titleOf = ({title, unit}) => title.charAt(0).toUpperCase() + title.slice(1) + (unit ? " [" + unit + "]" : "");
 
-/** A row for each estimate, then the axis. @param {EstimateGroup} group */
+/** One row per estimate, then the axis. @param {EstimateGroup} group */
 export function estimates(group) {
   const {share, marks} = axisOf(group), place = (/** @type {number} */ value) => 100 * share(value) + "%";
   const scale = element("div", {class: "ticks"}, ...marks.map(mark => placed(element("span", {}, number(mark)), place(mark))));
@@ -38,12 +38,12 @@ function placed(part, left) {
   return part;
 }
 
-const rowHeight = 24, wide = 900, left = 190, right = wide - 250; // of the drawing, its axis [px]
+const rowHeight = 24, wide = 900, left = 190, right = wide - 250; // dimensions of the saved drawing and its axis [px]
 
-/** How large the drawing of a group is [px]. @param {EstimateGroup} group */
+/** Size of a group's drawing [px]. @param {EstimateGroup} group */
 export const drawingSize = ({rows}) => ({width: wide, height: 68 + rowHeight * rows.length});
 
-/** The same as a drawing, to be saved. @param {CanvasRenderingContext2D} context @param {number} width @param {number} height @param {EstimateGroup} group */
+/** The same on a canvas, for saving. @param {CanvasRenderingContext2D} context @param {number} width @param {number} height @param {EstimateGroup} group */
 export function drawEstimates(context, width, height, group) {
   const {share, marks} = axisOf(group), place = (/** @type {number} */ value) => left + share(value) * (right - left);
   context.fillStyle = colours.paper;

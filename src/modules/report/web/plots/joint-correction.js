@@ -1,4 +1,4 @@
-// The error of each joint that alone would explain what is left over, over anything that was recorded.
+// Joint error that would explain the misfit alone, over any recorded quantity.
 import {bold, choosing, element} from "naocal/lib/dom.js";
 import {captioned} from "naocal/lib/figure.js";
 import {short, withError, withUnit} from "naocal/lib/format.js";
@@ -9,21 +9,21 @@ import {drawScatter} from "naocal/plots/residual-scatter.js";
 
 /** @import {Diagnosis, Driver, Left, View} from "naocal/lib/types.js" */
 
-/** The order of the poses, as something that was recorded. @param {Diagnosis} data @returns {Driver} */
+/** Pose order as a driver, to show drifts. @param {Diagnosis} data @returns {Driver} */
 function poseOrder({poses, pictures}) {
   const first = poses.map(pose => Math.min(...pose.pictures.map(picture => pictures[picture].capture)));
   const sorted = [...first].sort((a, b) => a - b);
   return {what: "the order of the poses", unit: "", joint: "", values: pictures.map(({pose}) => 1 + sorted.indexOf(first[pose]))};
 }
 
-/** A joint's points over a driver, and their means. @param {Diagnosis} data @param {Left} left @param {string} joint @param {Driver} driver */
+/** A joint's points over a driver, and their binned means. @param {Diagnosis} data @param {Left} left @param {string} joint @param {Driver} driver */
 function pointsOf(data, left, joint, driver) {
   const readings = left.whatIf.find(one => one.joint === joint)?.points ?? [];
   const points = readings.map(([pictures, y, sigma]) => ({x: mean(pictures.map(picture => driver.values[picture])), y, sigma, pictures}));
   return {points, means: binnedMeans(points, {groupOf: ({pictures}) => data.pictures[pictures[0]].pose, places: 10, most: 8})};
 }
 
-/** The joints that have points, each with the drivers that it can be drawn over; the strongest trends first. @param {Diagnosis} data @param {Left} left */
+/** Joints with points, each with its drivers; strongest trends first. @param {Diagnosis} data @param {Left} left */
 function jointsByTrend(data, left) {
   const drivers = [...data.drivers, poseOrder(data)];
   const offered = (/** @type {string} */ joint) => drivers.filter(driver => !driver.joint || driver.joint === joint)
@@ -55,7 +55,7 @@ export const view = {
   show: (data, {open}) => {
     const {asGiven} = data.left, ranked = asGiven ? jointsByTrend(data, asGiven) : [];
     if (!ranked.length) return null;
-    const best = data.candidates.length ? data.candidates[0].label.split("@")[1] : ""; // several joints move pictures alike
+    const best = data.candidates.length ? data.candidates[0].label.split("@")[1] : ""; // prefer the best candidate's joint: several joints can have similar trends
     const first = ranked.some(({joint}) => joint === best) ? best : ranked[0].joint;
     const driverOf = (/** @type {Left} */ left, /** @type {{joint: string, offered: {driver: Driver}[]}} */ {joint, offered}) =>
       choosing("bentOver", "over", offered.map(({driver: {what}}) => ({value: what, text: what})),

@@ -1,4 +1,4 @@
-// Which model's residuals a view shows.
+// Select of the model whose residuals a view shows.
 import {choosing} from "naocal/lib/dom.js";
 
 /** @import {Diagnosis, Left} from "naocal/lib/types.js" */

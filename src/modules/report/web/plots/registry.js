@@ -1,5 +1,5 @@
-// The views of a diagnosis, in report and panel alike: a new one is a file beside this one and a line here
-// (docs/adding-a-view.md). They are shown in the order of their places.
+// Registry of diagnosis views, shared by report and panel: a new view is a file in this folder and a line here
+// (docs/adding-a-view.md). Views are sorted by `place`.
 export {view as addedVariable} from "naocal/plots/added-variable.js";
 export {view as aliasMatrix} from "naocal/plots/alias-matrix.js";
 export {view as effectSignature} from "naocal/plots/effect-signature.js";

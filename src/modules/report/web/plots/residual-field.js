@@ -1,4 +1,4 @@
-// Errors over the image of a camera: of every corner, and what is left once each picture may move as a whole.
+// Error fields over a camera's image: of all corners, and of the residuals after removing each picture's rigid motion.
 import {bold, element, key} from "naocal/lib/dom.js";
 import {captioned, colours, inProportion} from "naocal/lib/figure.js";
 import {arrow, axes, dot, enlargement, enlargedWords, widened} from "naocal/lib/axes.js";
@@ -11,7 +11,7 @@ import {modelChoice} from "naocal/plots/model-choice.js";
 /** @import {Diagnosis, Layer, Left, Picture, View} from "naocal/lib/types.js" */
 
 /**
- * Every corner's error over the image of one camera, and the mean of each cell.
+ * Errors of all corners over the image of one camera, and the mean per grid cell.
  * @param {Picture[]} pictures of that camera
  * @param {{layer: () => Layer, nameOf: (picture: Picture) => string, open?: (picture: Picture) => void}} options
  */
@@ -41,7 +41,7 @@ export function residualField(pictures, {layer, nameOf, open}) {
 
 /** @typedef {{x: number, y: number, endX: number, endY: number, doubtful?: boolean}} Shift */
 
-/** The middles of a grid's cells and their mean errors, where enough corners lie. @param {Shift[]} targets @param {number} width @param {number} height @returns {Shift[]} */
+/** Mean position and error per grid cell with at least five corners. @param {Shift[]} targets @param {number} width @param {number} height @returns {Shift[]} */
 function cellMeans(targets, width, height) {
   const columns = 8, rows = 6, fewest = 5;
   const cells = groupBy(targets.filter(({doubtful}) => !doubtful),
@@ -65,7 +65,7 @@ function drawMean(context, {x, y, endX, endY}) {
   context.fill();
 }
 
-/** Mean errors over parts of a camera's picture. @param {Diagnosis} data @param {Left} left @param {string} camera @param {(picture: number) => void} [open] */
+/** Mean residual per part of a camera's image, without rigid motion. @param {Diagnosis} data @param {Left} left @param {string} camera @param {(picture: number) => void} [open] */
 function withinPictures(data, left, camera, open) {
   const cells = left.within.cells.filter(cell => cell.camera === camera), {captureName} = captureNames(data);
   return captioned({height: inProportion(data.cameras[camera]), label: "what is left in the " + camera + " camera", open, draw: (context, width, height, caption) => {
@@ -85,9 +85,9 @@ function withinPictures(data, left, camera, open) {
   }});
 }
 
-const tones = ["blue", "orange", "pink", "soft"]; // of boards
+const tones = ["blue", "orange", "pink", "soft"]; // colours of boards
 
-/** Of each board in each picture, over its distance. @param {Diagnosis} data @param {Left} left @param {(picture: number) => void} [open] */
+/** RMS residual of each board and picture over its distance from the camera. @param {Diagnosis} data @param {Left} left @param {(picture: number) => void} [open] */
 function byDistance(data, left, open) {
   const {boards: seen, noise} = left.within, {captureName} = captureNames(data), boards = [...new Set(seen.map(({board}) => board))].sort();
   const tone = (/** @type {string} */ board) => tones[boards.indexOf(board) % tones.length];

@@ -1,4 +1,4 @@
-// Points over a number, with squares for the means over bins of it: corners' errors, and joint errors that would explain them.
+// Scatter plot with binned means: corner errors, or joint errors that would explain them.
 import {axes, dot, widened} from "naocal/lib/axes.js";
 import {colours, figure} from "naocal/lib/figure.js";
 import {extent, quantile} from "naocal/lib/statistics.js";
@@ -15,13 +15,13 @@ import {extent, quantile} from "naocal/lib/statistics.js";
  * @property {{x: number, y: number, error: number}[]} means
  * @property {string} title
  * @property {string} xLabel
- * @property {number} [least] the y axis reaches at least so far
- * @property {boolean} [fromZero] nothing is negative
- * @property {(picture: any) => boolean} [isChosen] rings around its points
+ * @property {number} [least] minimum reach of the y axis
+ * @property {boolean} [fromZero] values are never negative
+ * @property {(picture: any) => boolean} [isChosen] points to circle
  */
 
-const many = 2000; // points: then they are small squares, which draw quickly
-const fewValues = 6; // of x: then points of one value stand side by side
+const many = 2000; // points; beyond it, small squares are drawn, which is faster
+const fewValues = 6; // distinct x values; up to this, points of equal x are jittered
 
 /**
  * @param {Scatter} scatter

@@ -1,4 +1,4 @@
-// What pages need to show the views of a diagnosis.
+// The registered views in display order.
 import * as registry from "naocal/plots/registry.js";
 
 /** @import {View} from "naocal/lib/types.js" */
