@@ -216,5 +216,5 @@ TEST_CASE("too few candidates are refused with what to do") {
   PlanOptions few = quickOptions(8);
   few.poses.maxAttempts = 100;
   CHECK_THROWS_WITH(quickPlan(few),
-                    Catch::Contains("expected 8 stable poses") && Catch::Contains("among 100 attitudes"));
+                    Catch::Contains("expected 8 stable poses") && Catch::Contains("among 100 candidates"));
 }

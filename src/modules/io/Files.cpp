@@ -65,8 +65,11 @@ std::string readFile(const std::filesystem::path& file) {
   std::ostringstream content;
   content << stream.rdbuf();
   if (!stream.is_open() || content.bad() || folder) {
-    throw InputError{fmt::format("{}: expected a file that can be read, found: {}; check the path", file.string(),
-                                 folder ? "a folder" : std::strerror(errno))};
+    const int reason = errno;
+    throw InputError{folder ? fmt::format("{}: expected a file, found a folder; check the path", file.string())
+                     : reason == ENOENT ? fmt::format("{}: no such file; check the path", file.string())
+                                        : fmt::format("{}: cannot be read: {}; check the path and its permissions",
+                                                      file.string(), std::strerror(reason))};
   }
   return std::move(content).str();
 }

@@ -177,10 +177,10 @@ public:
 
   PosePlan plan() {
     PosePlan result;
-    tell_(fmt::format("sieving {} attitudes", options_.poses.maxAttempts));
+    tell_(fmt::format("filtering {} candidate poses", options_.poses.maxAttempts));
     PoseCandidates candidates = samplePoses(robot_, score().scene(), options_.poses);
     if (candidates.attitudes.size() < options_.poses.count) {
-      throw InputError{fmt::format("expected {} stable poses that see a board, found {} among {} attitudes; put the "
+      throw InputError{fmt::format("expected {} stable poses that see a board, found {} among {} candidates; put the "
                                    "boards nearer, try more candidates or ask for fewer poses",
                                    options_.poses.count, candidates.attitudes.size(), options_.poses.maxAttempts)};
     }

@@ -137,7 +137,7 @@ void printNextPoses(const NextPoses& next, GivenOptions asked, const std::string
     return;
   }
   if (next.poses.empty() || file.empty()) {
-    fmt::print("next poses, to measure what {}:  naocal diagnose {} --next poses.json\n", next.why,
+    fmt::print("next poses (measuring them {}):  naocal diagnose {} --next poses.json\n", next.why,
                asked.commandLine());
     return;
   }
