@@ -20,7 +20,7 @@ int main(int count, char** arguments) {
   options.poses.maxAttempts = 200'000;
   options.poses.sampling = SamplingMethod::even;
   const SimulationPlan scene;
-  const PosePlan plan = planPoses(v6(), scene.boards, scene.cameras, options);
+  const PosePlan plan = planPoses(v6(), {scene.boards, scene.cameras}, options);
   fmt::print("{:<14} {:>12} {:>12} {:>8}\n", "offset", "predicted", "spread", "ratio");
   for (const auto& [joint, spread] : simulatedSpread(plan, robots)) {
     const double predicted = plan.sigmaOfRobots.at(joint);

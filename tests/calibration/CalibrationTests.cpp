@@ -1,5 +1,6 @@
 #include "calibration/Calibration.hpp"
 
+#include "TemporaryFolder.hpp"
 #include "calibration/Prediction.hpp"
 #include "calibration/Uncertainty.hpp"
 #include "estimation/ModelBuilder.hpp"
@@ -98,16 +99,20 @@ TEST_CASE("a result file gives back what was written and predicts other captures
   // is below 1.5 px, a tenth of the nominal error.
   const Made made{4, 12};
   const CalibrationResult result = calibrate(made.measurements, made.model);
-  const auto file = std::filesystem::temp_directory_path() / "naocal-result-round-trip.json";
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "result.json";
   writeAtomically(file, resultJson({made.measurements, made.model, result}, {{"x"}, {"y"}}).dump());
   const StoredResult stored = readResult(file);
-  std::filesystem::remove(file);
   CHECK(stored.usable == result.usable);
+  std::size_t found = 0;
   for (std::size_t i = 0; i < made.model.unknownCount(); ++i) {
     if (const auto value = stored.values.find(made.model.names()[i]); value != stored.values.end()) {
       CHECK(value->second == result.estimates[i].value);
+      ++found;
     }
   }
+  CHECK(found > 0);
+  CHECK(found == stored.values.size());
   SimulationPlan later = handMadePlan(made.robot, 6);
   later.poses = handMadePoses(made.robot, SupportFoot::left, 6, 99);
   later.robotSeed = 4;

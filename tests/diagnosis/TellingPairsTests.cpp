@@ -84,6 +84,7 @@ TEST_CASE("next pairs tell something else than those before them", "[slow]") {
   // Proves that no joint and no label occurs twice, and that shares decrease.
   const Told told{flawed("hysteresis@LKneePitch", 0.02, 3)};
   const std::vector<TellingPair>& pairs = told.telling.pairs;
+  REQUIRE(pairs.size() > 1);
   for (std::size_t i = 1; i < pairs.size(); ++i) {
     CHECK(pairs[i].share <= pairs[i - 1].share);
     for (std::size_t j = 0; j < i; ++j) {

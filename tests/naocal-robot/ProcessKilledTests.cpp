@@ -104,7 +104,9 @@ TEST_CASE("a robot that is killed while it calibrates has its old or its new con
     std::filesystem::remove_all(folder);
   }
   CHECK(captures > 0);
-  CHECK((calibrated > 0 || killCount() < 20));
+  if (killCount() >= 20) { // fewer may all come before a calibration's end
+    CHECK(calibrated > 0);
+  }
 }
 
 } // namespace naocal

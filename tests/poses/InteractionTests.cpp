@@ -63,7 +63,7 @@ TEST_CASE("the worst joint's sigma is at most half of what the thesis's selectio
   options.poses.sampling = SamplingMethod::even;
   const PlanEvaluator score{v6(), scene.boards, scene.cameras, options};
   const PoseCandidates candidates = samplePoses(v6(), score.scene(), options.poses);
-  const auto results = compareCriteria(v6(), scene.boards, scene.cameras, options, candidates.attitudes);
+  const auto results = compareCriteria(v6(), {scene.boards, scene.cameras}, options, candidates.attitudes);
   for (const CriterionResult& thesis : results) {
     for (const CriterionResult& ours : results) {
       if (thesis.criterion == Criterion::interaction && ours.criterion == Criterion::worst &&

@@ -19,7 +19,7 @@ TEST_CASE("a plan that is extended keeps its poses and boards and tells every of
     more.kept.push_back(pose.pose.angles);
   }
   const SimulationPlan scene;
-  const PosePlan second = planPoses(v6(), first.boards, scene.cameras, more);
+  const PosePlan second = planPoses(v6(), {first.boards, scene.cameras}, more);
   REQUIRE(second.poses.size() == 9);
   CHECK(second.kept == 6);
   for (std::size_t i = 0; i < 6; ++i) {

@@ -22,7 +22,7 @@ inline naocal::PlanOptions quickOptions(std::size_t poses, naocal::SupportFoot f
 /// A plan with the simulator's boards.
 inline naocal::PosePlan quickPlan(const naocal::PlanOptions& options) {
   const naocal::SimulationPlan scene;
-  return naocal::planPoses(naocal::v6(), scene.boards, scene.cameras, options);
+  return naocal::planPoses(naocal::v6(), {scene.boards, scene.cameras}, options);
 }
 
 inline double largest(const std::map<std::string, double>& sigmas) {

@@ -34,23 +34,22 @@ template <typename Well> double largest(double most, const Well& well) {
 
 } // namespace
 
-std::vector<BoardTolerance> computeBoardTolerances(const Robot& robot, const std::vector<Board>& boards,
-                                                   const std::map<std::string, CameraIntrinsics>& cameras,
+std::vector<BoardTolerance> computeBoardTolerances(const Robot& robot, const PlanInputs& inputs,
                                                    const PlanOptions& options, const std::vector<ValidPose>& poses) {
   constexpr double growth = 1.1, farthest = 0.3, mostTurned = std::numbers::pi / 4; // [1], [m], [rad]
   PlanOptions drawn = options;
   drawn.perturbedRobots = 0;
   const auto worst = [&](const std::vector<Board>& laid) { // absent: a pose sees no board
-    const PlanEvaluator score{robot, laid, cameras, drawn};
+    const PlanEvaluator score{robot, laid, inputs.cameras, drawn};
     const std::vector<Eigen::MatrixXd> parts = score.informationParts(poses);
     const bool blind = std::any_of(parts.begin(), parts.end(), [](const auto& part) { return part.isZero(); });
     return blind ? std::nullopt : std::optional{score.worstSigma(score.totalInformation(poses))};
   };
-  const double allowed = growth * worst(boards).value_or(0);
-  std::vector<BoardTolerance> result(boards.size());
-  parallelFor(boards.size(), [&](std::size_t i) {
+  const double allowed = growth * worst(inputs.boards).value_or(0);
+  std::vector<BoardTolerance> result(inputs.boards.size());
+  parallelFor(inputs.boards.size(), [&](std::size_t i) {
     const auto well = [&](double x, double y, double yaw) {
-      std::vector<Board> laid = boards;
+      std::vector<Board> laid = inputs.boards;
       laid[i].placement->x += x;
       laid[i].placement->y += y;
       laid[i].placement->yaw += yaw;
@@ -88,9 +87,8 @@ double rootMeanSquare(const std::map<std::string, double>& sigmas) {
 
 } // namespace
 
-std::vector<CriterionResult> compareCriteria(const Robot& robot, const std::vector<Board>& boards,
-                                             const std::map<std::string, CameraIntrinsics>& cameras,
-                                             const PlanOptions& options, const std::vector<ValidPose>& candidates) {
+std::vector<CriterionResult> compareCriteria(const Robot& robot, const PlanInputs& inputs, const PlanOptions& options,
+                                             const std::vector<ValidPose>& candidates) {
   std::vector<CriterionResult> result;
   for (std::size_t criterion = 0; criterion < static_cast<std::size_t>(Criterion::time); ++criterion) {
     if (static_cast<Criterion>(criterion) == Criterion::discriminate && options.effects.empty()) {
@@ -99,7 +97,7 @@ std::vector<CriterionResult> compareCriteria(const Robot& robot, const std::vect
     PlanOptions own = options;
     own.perturbedRobots = 0;
     own.criterion = static_cast<Criterion>(criterion);
-    const PlanEvaluator score{robot, boards, cameras, own};
+    const PlanEvaluator score{robot, inputs.boards, inputs.cameras, own};
     for (const std::size_t count : {3, 5, 8}) {
       const std::vector<ValidPose> poses = score.selectPoses(candidates, count);
       const std::map<std::string, double> unknown = score.sigmas(poses, false);
@@ -164,9 +162,11 @@ namespace {
 /// Runs the planning steps on one draft.
 class Planner {
 public:
-  Planner(const Robot& robot, std::vector<Board> boards, const std::map<std::string, CameraIntrinsics>& cameras,
-          const PlanOptions& options, const std::function<void(const std::string&)>& tell)
-      : robot_{robot}, cameras_{cameras}, options_{options}, tell_{tell}, draft_{{}, std::move(boards)} {
+  Planner(const Robot& robot, PlanInputs inputs, const PlanOptions& options,
+          const std::function<void(const std::string&)>& tell)
+      : robot_{robot}, cameras_{std::move(inputs.cameras)}, options_{options}, tell_{tell}, draft_{{},
+                                                                                                   std::move(
+                                                                                                       inputs.boards)} {
     if (options_.mirrored) {
       const MirroredBoards mirror{draft_.boards, midlineBetweenFeet(options_.poses.supportFoot)};
       for (std::size_t board = 0; board < draft_.boards.size(); ++board) {
@@ -187,7 +187,7 @@ public:
     thin(candidates.attitudes);
     if (options_.compare) {
       tell_("comparing what the criteria select");
-      result.comparison = compareCriteria(robot_, draft_.boards, cameras_, options_, candidates.attitudes);
+      result.comparison = compareCriteria(robot_, {draft_.boards, cameras_}, options_, candidates.attitudes);
     }
     draft_ = PlanOptimizer{robot_, cameras_, options_, tell_}.optimize(draft_.boards, candidates.attitudes);
     options_.poses.count = draft_.poses.size();
@@ -221,7 +221,7 @@ private:
     result.sigmaOfRobots = here.perturbedSigmas(draft_.poses);
     result.interaction = here.interaction(draft_.poses);
     result.misfit = here.misfit(draft_.poses);
-    result.tolerances = computeBoardTolerances(robot_, draft_.boards, cameras_, options_, draft_.poses);
+    result.tolerances = computeBoardTolerances(robot_, {draft_.boards, cameras_}, options_, draft_.poses);
     result.kept = options_.kept.size();
     std::vector<ValidPose> all = here.keptPoses();
     all.insert(all.end(), draft_.poses.begin(), draft_.poses.end());
@@ -242,7 +242,7 @@ private:
   }
 
   const Robot& robot_;
-  const std::map<std::string, CameraIntrinsics>& cameras_;
+  std::map<std::string, CameraIntrinsics> cameras_;
   PlanOptions options_;
   const std::function<void(const std::string&)>& tell_;
   PlanDraft draft_;
@@ -250,11 +250,10 @@ private:
 
 } // namespace
 
-PosePlan planPoses(const Robot& robot, std::vector<Board> boards,
-                   const std::map<std::string, CameraIntrinsics>& cameras, const PlanOptions& options,
+PosePlan planPoses(const Robot& robot, PlanInputs inputs, const PlanOptions& options,
                    const std::function<void(const std::string&)>& tell) {
   const std::function<void(const std::string&)> quietly = [](const std::string&) {};
-  return Planner{robot, std::move(boards), cameras, options, tell ? tell : quietly}.plan();
+  return Planner{robot, std::move(inputs), options, tell ? tell : quietly}.plan();
 }
 
 } // namespace naocal

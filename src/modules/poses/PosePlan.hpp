@@ -20,8 +20,7 @@ struct BoardTolerance {
 };
 
 /// Computes the tolerance of each board.
-std::vector<BoardTolerance> computeBoardTolerances(const Robot& robot, const std::vector<Board>& boards,
-                                                   const std::map<std::string, CameraIntrinsics>& cameras,
+std::vector<BoardTolerance> computeBoardTolerances(const Robot& robot, const PlanInputs& inputs,
                                                    const PlanOptions& options, const std::vector<ValidPose>& poses);
 
 /// Quality of a criterion's selection of poses.
@@ -38,9 +37,8 @@ struct CriterionResult {
 /// Selections of 3, 5 and 8 poses by every criterion except `time` (`discriminate` only with effects) among the same
 /// candidates, with fixed boards and without refinement. Fewer poses if there are fewer candidates, or if the thesis's
 /// chain ends.
-std::vector<CriterionResult> compareCriteria(const Robot& robot, const std::vector<Board>& boards,
-                                             const std::map<std::string, CameraIntrinsics>& cameras,
-                                             const PlanOptions& options, const std::vector<ValidPose>& candidates);
+std::vector<CriterionResult> compareCriteria(const Robot& robot, const PlanInputs& inputs, const PlanOptions& options,
+                                             const std::vector<ValidPose>& candidates);
 
 /// Poses and board placements.
 struct PosePlan {
@@ -64,10 +62,9 @@ struct PosePlan {
 /// Plans poses, on one foot or both, that determine the joint offsets of the legs involved and the head best: filters
 /// candidates, selects the best, then refines poses and boards alternately.
 ///
-/// `boards`: initial placements in the support sole's frame. `tell`: receives progress messages for display. Throws
+/// `inputs.boards`: initial placements. `tell`: receives progress messages for display. Throws
 /// InputError if there are too few candidates.
-PosePlan planPoses(const Robot& robot, std::vector<Board> boards,
-                   const std::map<std::string, CameraIntrinsics>& cameras, const PlanOptions& options,
+PosePlan planPoses(const Robot& robot, PlanInputs inputs, const PlanOptions& options,
                    const std::function<void(const std::string&)>& tell = {});
 
 } // namespace naocal

@@ -24,12 +24,6 @@ namespace naocal {
 
 namespace {
 
-/// Boards and cameras to plan for.
-struct PlanInputs {
-  std::vector<Board> boards; // placements relative to the sole
-  std::map<std::string, CameraIntrinsics> cameras;
-};
-
 /// Four A2 boards around the robot, nominal cameras.
 PlanInputs defaultPlanInputs() {
   const SimulationPlan usual;
@@ -130,8 +124,8 @@ struct PosesCommand {
     if (!extend.empty()) {
       extendPlan(extend, drawn, scene.boards, plan);
     }
-    const PosePlan result = planPoses(drawn, scene.boards, scene.cameras, plan,
-                                      [](const std::string& what) { fmt::print(stderr, "{}\n", what); });
+    const PosePlan result =
+        planPoses(drawn, std::move(scene), plan, [](const std::string& what) { fmt::print(stderr, "{}\n", what); });
     printPlan(result);
     writeJson(planJson(result, drawn), output);
     fmt::print("{} holds the poses and where the boards are\n", output);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "data/Capture.hpp"
 #include "math/Angles.hpp"
 #include "measurements/Noise.hpp"
 #include "poses/candidates/PoseOptions.hpp"
@@ -10,6 +11,12 @@
 #include <vector>
 
 namespace naocal {
+
+/// Boards and cameras to plan with.
+struct PlanInputs {
+  std::vector<Board> boards; // placements in the support sole's frame
+  std::map<std::string, CameraIntrinsics> cameras;
+};
 
 /// Settings of pose planning.
 struct PlanOptions {
