@@ -152,8 +152,7 @@ Diagnosis questionModel(const Measurements& measurements, const Model& asked, co
         result.driverCurves.insert(result.driverCurves.begin(), curveFromField(*field, measurements));
       }
       result.scatter = ladder.fit().noise.pose;
-      const bool lasting =
-          !result.anomalies.empty() && !result.anomalies.front().capture; // then all boards would seem displaced
+      const bool lasting = !result.anomalies.empty() && !result.anomalies.front().capture; // then all seem displaced
       if (!unknown && !lasting && (result.suggested.empty() || !striking)) {
         addNew(findDisplacedBoards(measurements, ladder.refitWithoutDisplacedBoards()), result.anomalies);
       }
