@@ -25,7 +25,6 @@ namespace naocal {
 /// Setting the parameter `run` to the name of a kind starts a calibration (the value from the file does not); any other
 /// value aborts it. The chest button starts one too, and confirms questions. "poses" plays the parameter `poses` and
 /// records captures without calibrating; "undo" undoes the last saved calibration.
-///
 class CalibrationRunner final : public Module {
 public:
   explicit CalibrationRunner(CalibrationContext context);

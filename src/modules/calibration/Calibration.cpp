@@ -23,7 +23,8 @@ struct Answer {
   std::optional<Explained> explained;
 };
 
-/// Estimates the pixel noise from repeats, else within images unless configured. Returns whether repeats gave it.
+/// Sets the pixel noise: from repeats, else from the residuals within pictures, unless the user gave it. Returns
+/// whether it came from repeats.
 bool estimatePixelNoise(const Measurements& measurements, const Model& model, const Fit& fit,
                         const CalibrationOptions& options, Noise& noise) {
   const Residuals residuals{measurements, model, fit.noise, fit.loss};
@@ -39,6 +40,7 @@ bool estimatePixelNoise(const Measurements& measurements, const Model& model, co
   return false;
 }
 
+/// Which kinds of repeats the captures contain.
 RepeatInfo countRepeatedRests(const Measurements& measurements) {
   const auto some = [&](bool PoseGroup::*kind) {
     return std::any_of(measurements.poses.begin(), measurements.poses.end(), std::mem_fn(kind));
@@ -46,6 +48,7 @@ RepeatInfo countRepeatedRests(const Measurements& measurements) {
   return {.reapproached = some(&PoseGroup::repeated), .restood = some(&PoseGroup::restood)};
 }
 
+/// Continues from a fit at new noise levels, with or without robust loss; stops at `coarseTolerance`.
 Fit fitFurther(const Measurements& measurements, const Model& model, const CalibrationOptions& options,
                const Noise& noise, Fit from) {
   return options.robust ? fitRobustly(measurements, model, noise, std::move(from))
@@ -98,6 +101,7 @@ std::optional<Measurements> excludeMovedBoards(const Measurements& measurements,
   return kept;
 }
 
+/// The model with priors widened where the fit requires it (`addPriors` in calibration/ModelUncertainty.hpp).
 std::optional<Model> addPriors(const Model& model, const Fit& fit) {
   const Eigen::MatrixXd& hessian = fit.minimum.linear.hessian;
   const Eigen::MatrixXd covariance = hessian.ldlt().solve(Eigen::MatrixXd::Identity(hessian.rows(), hessian.cols()));

@@ -4,8 +4,8 @@
 
 namespace naocal {
 
-/// Calibrates the robot: start, fit, noise levels, refit, missing effects, uncertainty, outliers, verdict. Throws
-/// InputError if there is nothing to fit or no start keeps all observed corners in front of the camera.
+/// Calibrates the robot: first fit, noise levels, missing effects, displaced boards, uncertainty, outliers, verdict.
+/// Throws InputError if there is nothing to fit or no start keeps all observed corners in front of the camera.
 CalibrationResult calibrate(const Measurements& measurements, const Model& model,
                             const CalibrationOptions& options = {});
 

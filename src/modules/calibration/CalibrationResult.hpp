@@ -26,8 +26,8 @@ struct CalibrationOptions {
   std::uint64_t drawSeed = 1;
   bool robust = true;           // downweights and lists doubtful corners
   bool excludeDisplaced = true; // if robust, also excludes observations whose board was displaced
-  bool alternate = false;       // alternates joints and cameras as in the thesis, instead of a joint fit
-  int restarts = 0;             // additional random starts; the lowest cost wins
+  bool alternate = false; // alternates joints and cameras as Adikari's thesis does, instead of fitting all at once
+  int restarts = 0;       // additional random starts; the lowest cost wins
   std::uint64_t seed = 1;
   std::optional<Eigen::VectorXd>
       start;                // initial unknowns; default: zero, with placements initialised from the pictures
@@ -108,7 +108,7 @@ struct CalibrationResult {
   std::vector<BoardResidual> residuals;          // at the estimate, including the joints' deflections
   std::vector<BoardResidual> withReportedAngles; // the same observations, with joint angles as read
   Noise noise;                                   // before scaling by `sigmaScale`
-  std::string noiseSource;                       // "repeats" or "configured"
+  std::string noiseSource; // "repeats", else "configured", also where pixel noise was estimated within pictures
   Loss loss;
   double rmsPx = 0, medianPx = 0; // corner distances, joint angles as read [px]
   double noiseFloorPx = 0;        // expected rms distance under noise alone [px]

@@ -13,7 +13,7 @@ namespace naocal {
 
 namespace {
 
-/// Sum over pictures of nominal - predicted angle [rad], and its gradient by the unknowns.
+/// Sum over pictures of nominal - predicted angle [rad], and its gradient with respect to the unknowns.
 struct Sum {
   double value = 0;
   Eigen::VectorXd gradient;

@@ -14,8 +14,8 @@ namespace naocal {
 
 namespace {
 
-/// Alternates joints and cameras, each with the placements, until a full round changes nothing (the method of the
-/// thesis).
+/// Alternates joints and cameras, each with the placements, until a full round changes nothing (the method of
+/// Adikari's thesis, docs/evaluation.md).
 std::optional<FitMinimum> alternate(Residuals& residuals, Residuals::State state) {
   const auto ofJoint = [](const Term& term) {
     return term.effect.place == EffectSite::motor || term.effect.place == EffectSite::joint;

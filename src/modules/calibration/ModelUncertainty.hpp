@@ -40,7 +40,7 @@ struct Explained {
 Explained explain(const Measurements& measurements, const Model& model, const Fit& fit, const Noise& noise,
                   const std::optional<RepeatInfo>& repeats, const CalibrationOptions& options);
 
-/// Fills the result's averages, explanations, remaining misfit, scatter and p-value.
+/// Fills the result's averages, explanations, remaining misfit, scatter and p-value from the analysis.
 void describe(const Explained& explained, const Model& model, CalibrationResult& result);
 
 } // namespace naocal

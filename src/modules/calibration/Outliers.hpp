@@ -51,7 +51,7 @@ std::vector<BoardDisplacement> testDisplacements(const Measurements& measurement
 std::optional<BoardDisplacement> findDisplacedBoard(const Measurements& measurements, const Model& model,
                                                     const Fit& fit, double misfit = 1);
 
-/// Removes a observation's corners from the measurements. The observation keeps its place in the lists.
+/// Removes an observation's corners from the measurements. The observation keeps its place in the lists.
 void excludeObservation(Measurements& measurements, const BoardDisplacement& move);
 
 } // namespace naocal

@@ -29,6 +29,7 @@ Comparison compare(const StoredResult& result, const std::vector<CaptureSet>& se
 double weightedError(const StoredResult& result, const std::vector<CaptureSet>& sets, const Robot& robot,
                      bool samePlace, const Noise& noise);
 
+/// COMPARISON.json (`naocal-compare`): errors [px] with the result and with the nominal model.
 nlohmann::json comparisonJson(const Comparison& comparison);
 
 /// A result's estimates transferred to unseen captures.
@@ -46,6 +47,7 @@ Prediction preparePrediction(const Model& model, const StoredResult& result, con
 
 /// Minimum cost over the free unknowns. Throws InputError if the captures cannot be predicted at all.
 FitMinimum predict(Residuals& residuals, const Prediction& prediction);
+/// As above, from `start`.
 FitMinimum predict(Residuals& residuals, const Prediction& prediction, const Residuals::State& start);
 
 } // namespace naocal

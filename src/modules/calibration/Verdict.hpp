@@ -21,6 +21,7 @@ std::string formatVerdict(const CalibrationResult& result, const Accidents& acci
 /// As in files: "good", "cause-missing", "do-not-use".
 std::string toString(ResultVerdict verdict);
 
+/// The sentences alone, in order.
 std::vector<std::string> toSentences(const std::vector<Warning>& warnings);
 
 } // namespace naocal

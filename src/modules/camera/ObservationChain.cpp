@@ -98,7 +98,7 @@ bool ObservationChain::project(const CameraFrames& attitude, const ModelState& m
       Double4* rows[2] = {out.rowsU, out.rowsV};
       for (int axis = 0; axis < 2; ++axis) {
         const Double4 a = slopes[axis][0], b = slopes[axis][1], c = -(a * x + b * y);
-        Double4* row = rows[axis]; // the gradient by X, Y, Z is (a, b, c) / Z; the first three rows are p x gradient
+        Double4* row = rows[axis]; // gradient with respect to X, Y, Z: (a, b, c) / Z; first three rows: p x gradient
         row[0] = y * c - b;
         row[1] = a - x * c;
         row[2] = x * b - y * a;

@@ -16,8 +16,8 @@ namespace naocal {
 constexpr std::size_t lensCount = 9;
 constexpr std::size_t boardScaleExtra = 9, boardBowExtra = 10, rowTimeExtra = 11, extraCount = 12;
 
-/// Projection of four corners and its derivative by a motion of the board in the optical frame: d(u) = rowsU . (omega,
-/// v), d(v) = rowsV . (omega, v) for pointInOptical moving by omega x p + v.
+/// Projection of four corners and its derivative with respect to a motion of the board in the optical frame: d(u) =
+/// rowsU . (omega, v), d(v) = rowsV . (omega, v) for pointInOptical moving by omega x p + v.
 struct ProjectedBlock {
   Double4 u, v;               // predicted [px]
   Double4 rowsU[6], rowsV[6]; // [px/rad] x 3, [px/m] x 3

@@ -166,7 +166,8 @@ std::vector<SymmetricPair> symmetricPairs(const std::function<Eigen::Vector2d(co
 
 namespace {
 
-/// Catmull-Rom weights of the pixels at -1, 0, 1, 2 for a position `t` in [0, 1), and their derivatives by `t`.
+/// Catmull-Rom weights of the pixels at -1, 0, 1, 2 for a position `t` in [0, 1), and their derivatives with respect to
+/// `t`.
 struct CubicWeights {
   explicit CubicWeights(double t)
       : value{0.5 * t * (-1 + t * (2 - t)), 1 + 0.5 * t * t * (-5 + 3 * t), 0.5 * t * (1 + t * (4 - 3 * t)),

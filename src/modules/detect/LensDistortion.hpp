@@ -11,6 +11,7 @@ class LensDistortion {
 public:
   explicit LensDistortion(const CameraIntrinsics& intrinsics) : intrinsics_{intrinsics} {}
 
+  /// Pixel to pixel [px].
   Eigen::Vector2d undistort(const Eigen::Vector2d& pixel) const;
   Eigen::Vector2d distort(const Eigen::Vector2d& pixel) const;
 

@@ -11,7 +11,7 @@ namespace naocal {
 /// inverted sign, swapped camera names. Reports one only if it explains the captures far better than any effect.
 std::vector<DataAnomaly> findAnomalies(const FittedModel& fitted, const CandidateTests& candidateTests);
 
-/// Only one-off events, which an added effect may have hidden before.
+/// Only one-off events, which the misfit of an effect may have masked before it was added.
 std::vector<DataAnomaly> findTransientAnomalies(const FittedModel& fitted, const CandidateTests& candidateTests);
 
 /// Observations with mostly outlying corners.

@@ -103,7 +103,8 @@ Diagnosis withoutFit(const Measurements& measurements, const InputError& error) 
   return result;
 }
 
-/// Main loop: tests the model and adds missing effects until the alarm stops.
+/// Main loop: tests the model and adds missing effects until the alarm stops; then takes back additions that do not
+/// hold, and describes what is left.
 Diagnosis questionModel(const Measurements& measurements, const Model& asked, const DiagnosisOptions& options) {
   Diagnosis result;
   StepwiseSelection ladder{measurements, asked, options};
@@ -123,7 +124,7 @@ Diagnosis questionModel(const Measurements& measurements, const Model& asked, co
     if (result.steps.size() == 1) {
       result.anomalies = findAnomalies(fitted, candidateTests);
       result.alarm = candidateTests.evidence().pValue;
-    } else { // what was added may have hidden an accident
+    } else { // the misfit of the effect added last may have masked an accident
       result.anomalies = findTransientAnomalies(fitted, candidateTests);
     }
     const std::optional<ImageField> field = noteworthyField(findStrikingField(fitted), most);
@@ -151,7 +152,7 @@ Diagnosis questionModel(const Measurements& measurements, const Model& asked, co
         result.driverCurves.insert(result.driverCurves.begin(), curveFromField(*field, measurements));
       }
       result.scatter = ladder.fit().noise.pose;
-      const bool lasting = !result.anomalies.empty() && !result.anomalies.front().capture; // else all seem displaced
+      const bool lasting = !result.anomalies.empty() && !result.anomalies.front().capture; // then all seem displaced
       if (!unknown && !lasting && (result.suggested.empty() || !striking)) {
         addNew(findDisplacedBoards(measurements, ladder.refitWithoutDisplacedBoards()), result.anomalies);
       }
@@ -200,8 +201,8 @@ Measurements excludeSuspicious(const std::vector<DataAnomaly>& suspicious, Measu
   return measurements;
 }
 
-/// Takes the evidence of each candidate beside the model as given from the diagnosis of all captures, spoiled ones
-/// included.
+/// Copies each candidate's evidence against the model as given from `all`, the diagnosis of all captures, into `left`,
+/// the diagnosis without spoiled ones.
 void takeLoneEvidence(const std::vector<CandidateFinding>& all, std::vector<CandidateFinding>& left) {
   for (CandidateFinding& finding : left) {
     const auto same = std::find_if(all.begin(), all.end(), [&](const CandidateFinding& other) {

@@ -19,14 +19,20 @@
 
 namespace naocal {
 
-/// Verdict of a diagnosis: the model is adequate; a named effect is missing; only an unnamed curve explains the misfit;
-/// significant joint scatter; undecided; the captures contain an accident or a set-up error.
-enum class Verdict { adequate, effectMissing, unknownEffect, scatter, inconclusive, badCaptures };
+/// Verdict of a diagnosis.
+enum class Verdict {
+  adequate,      // the model explains the captures
+  effectMissing, // a named effect is missing
+  unknownEffect, // only a curve without a name explains the misfit
+  scatter,       // significant joint scatter
+  inconclusive,  // the misfit is real, but no single cause stands out
+  badCaptures    // the captures contain an accident or a set-up error
+};
 
 /// The state of one candidate given these captures.
 enum class CandidateState {
   present,      // the misfit requires it
-  aliased,      // explains the misfit equally well as an effect already in the model
+  aliased,      // explains the misfit alone, but so does another effect: these captures cannot tell them apart
   trivial,      // significant, but too small to matter
   absent,       // would have been detected at its plausible size
   inconclusive, // may be present below the detection limit
@@ -39,8 +45,8 @@ struct CandidateFinding {
   Term term;
   CandidateState state = CandidateState::inconclusive;
   std::string why;                       // reason for `noData`: "no temperatures were recorded"
-  GroupEvidence evidence;                // strongest evidence: beside the model as given or after later additions
-  GroupEvidence alone;                   // evidence beside the model as given
+  GroupEvidence evidence;                // strongest evidence, against the model as given or after later additions
+  GroupEvidence alone;                   // evidence against the model as given
   std::size_t step = 0;                  // number of additions before `evidence`
   double power = 0;                      // detection probability if any one of its unknowns has its plausible size
   std::vector<double> minimalDetectable; // per unknown: size detected with 90 % power [the unknown's unit]

@@ -19,6 +19,7 @@ inline constexpr char boardPlacement[] = "boardPlacement";
 inline constexpr char stancePlacement[] = "stancePlacement";
 } // namespace effectName
 
+/// One function per effect of the catalogue; each describes itself in its file in effects/catalogue/.
 Effect jointOffset();
 Effect encoderGain();
 Effect encoderEccentricity();

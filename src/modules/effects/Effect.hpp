@@ -19,14 +19,14 @@ struct Unknown {
   std::string name; // as in result files: "o"
   std::string unit; // SI: "rad", "m", "1", "px"
   double sigma =
-      0; // plausible size: prior standard deviation, solver scale, step of differences, reference of `learned`
+      0; // plausible size: prior standard deviation, solver scale, finite-difference step, reference of `learned`
 };
 
-/// Kind of site of an effect. A motor drives one joint, or both hip yaw-pitch joints. (Stances are sites of unknown
-/// placements only.)
+/// Kind of place where an effect acts (a place's index is called its site). A motor drives one joint, or both hip
+/// yaw-pitch joints. (Stances are sites of unknown placements only.)
 enum class EffectSite { motor, joint, camera, board, sole, length, all, stance };
 
-/// Site of a shared board effect: one set of unknowns for all boards.
+/// Index of the place of a shared board effect: one set of unknowns for all boards.
 constexpr std::size_t allSites = std::numeric_limits<std::size_t>::max();
 
 /// A driver at a joint other than the effect's own.

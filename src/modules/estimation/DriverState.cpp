@@ -71,7 +71,8 @@ GravityLoad computeLoad(const Robot& robot, const ModelState& modelState, const 
   return hanging;
 }
 
-/// `loaded`: computes torques and centre of mass; `growth`: also the derivatives of torqueGrowth by the offsets.
+/// `loaded`: computes torques and centre of mass; `growth`: also the derivatives of torqueGrowth with respect to the
+/// offsets.
 DriverState driveState(const Measurements& measurements, const Model& model, const ImageObservation& picture,
                        const Eigen::VectorXd& unknowns, bool loaded, bool growth) {
   const Robot& robot = measurements.robot;

@@ -6,7 +6,8 @@
 
 namespace naocal {
 
-/// Drivers of the effects at an instant and their derivatives by the joint offsets: one column per offset of the model.
+/// Drivers of the effects at an instant and their derivatives with respect to the joint offsets: one column per offset
+/// of the model.
 struct DriverState {
   RobotSample instant;
   Eigen::MatrixXd angleByOffset;  // one row per joint: -1 or 0

@@ -7,15 +7,16 @@
 
 namespace naocal {
 
-/// d(quantity)/d(unknown).
+/// d(quantity)/d(unknown): one entry of a sparse Jacobian. `quantity`: an index of `StateLayout`.
 struct StateDerivative {
   std::size_t quantity, unknown;
   double value;
 };
 
-/// Derivatives of the model state at one picture's instant by the unknowns, for quantities visible in the picture:
+/// Derivatives of the model state at one picture's instant with respect to the unknowns, for quantities visible in the
+/// picture:
 ///
-///   belief = drawn + sum of fixed slopes * unknowns + corrections of the terms that vary
+///   state = nominal state + sum of fixed slopes * unknowns + corrections of the terms that vary
 ///
 /// A term varies if it is nonlinear in its unknowns or uses angles, torques or the centre of mass, which depend on the
 /// joint offsets. The sparsity pattern is constant; only the values of varying terms change.
@@ -38,8 +39,8 @@ public:
     std::vector<double> values;
   };
   /// Adds the corrections of the varying terms to `modelState` and writes the values of their slopes to `values`, in
-  /// the order of `entries()` from `fixedCount()` on. Derivatives by a term's drivers are central differences of that
-  /// term, combined with `driven` by the chain rule; `driven` is unchanged on return.
+  /// the order of `entries()` from `fixedCount()` on. Derivatives with respect to a term's drivers are central
+  /// differences of that term, combined with `driven` by the chain rule; `driven` is unchanged on return.
   void applyVarying(const Model& model, const ImageObservation& picture, const Eigen::VectorXd& unknowns,
                     DriverState& driven, Scratch& scratch, ModelState& modelState, double* values) const;
 

@@ -58,8 +58,8 @@ class RowEquations {
 public:
   void clear(Eigen::Index columns);
 
-  /// Adds sums over L, the derivative by the picture's motion (and extras): the rows are U C with U^T U = `gram`, C =
-  /// motion * (the group's shares of the slopes' values), and their residuals U^-T `gradient`.
+  /// Adds sums over L, the derivative with respect to the picture's motion (and extras): the rows are U C with U^T U =
+  /// `gram`, C = motion * (the group's shares of the slopes' values), and their residuals U^-T `gradient`.
   void add(const ImageNormalEquations::Square& gram, const ImageNormalEquations::Column& gradient,
            const Eigen::MatrixXd& motion, const PreparedImage::Group& group, const double* slopeValues);
 

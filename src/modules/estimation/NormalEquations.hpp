@@ -16,7 +16,7 @@ struct ExtraRow {
   Double4 u, v;
 };
 
-/// Weight of a observation's corners (`cornerShare`), given `repeats` pictures of one rest.
+/// Weight of an observation's corners (`cornerShare`), given `repeats` pictures of one rest.
 struct SightingWeight {
   double share = 1;
   std::size_t repeats = 1;
@@ -25,9 +25,9 @@ struct SightingWeight {
   double freedom() const { return share + (1 - share) / static_cast<double>(repeats); }
 };
 
-/// Sums over corners in the six components of the picture's motion and the extras. A derivative by any quantity is a
-/// column of `ObservationChain::fillMotionColumns` times these sums, so their cost is independent of the number of
-/// joints.
+/// Sums over corners in the six components of the picture's motion and the extras. A derivative with respect to any
+/// quantity is a column of `ObservationChain::fillMotionColumns` times these sums, so their cost is independent of the
+/// number of joints.
 class ImageNormalEquations {
 public:
   static constexpr int most = 6 + static_cast<int>(extraCount);
@@ -37,7 +37,7 @@ public:
   /// Resets the sums.
   void clear(std::size_t extras = 0);
 
-  /// Adds the corners of a observation. `extraRows`: ordered by extra, then by block.
+  /// Adds the corners of an observation. `extraRows`: ordered by extra, then by block.
   void add(const CornerBlocks& corners, const ProjectedBlocks& projected, const std::vector<ExtraRow>& extraRows,
            double pixelNoise, const SightingWeight& weight, const Loss& loss);
 
@@ -91,8 +91,8 @@ class NormalEquations {
 public:
   void clear(Eigen::Index columns);
 
-  /// Adds sums over L, the derivative by the picture's motion (and extras): J = L C, C = motion * (the group's shares
-  /// of the slopes' values).
+  /// Adds sums over L, the derivative with respect to the picture's motion (and extras): J = L C, C = motion * (the
+  /// group's shares of the slopes' values).
   void add(const ImageNormalEquations::Square& gram, const ImageNormalEquations::Column& gradient,
            const Eigen::MatrixXd& motion, const PreparedImage::Group& group, const double* slopeValues);
 

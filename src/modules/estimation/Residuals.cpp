@@ -84,7 +84,7 @@ struct Residuals::Workspace {
 };
 
 /// Floor contact: height and tilt of the other sole over the floor are zero with sigmas `FloorContact`. In units of
-/// pixels, as all sums.
+/// pixels, like all sums.
 void Residuals::addFloorContact(const ImageObservation& picture, const PreparedImage& prepared, Workspace& work,
                                 PosePart& part) const {
   const ObservationChain& sole = *picture.otherSole;
@@ -287,7 +287,7 @@ bool Residuals::addPicture(const ImageObservation& picture, const PreparedImage&
                      [&](const PreparedImage::Group& group) { return addGroup(picture, group, work, part); });
 }
 
-/// Adds the corners of a observation to the workspace's sums over corners. False if one has no projection.
+/// Adds the corners of an observation to the workspace's sums over corners. False if one has no projection.
 bool Residuals::addCorners(const BoardObservation& observation, const std::vector<std::size_t>& extras,
                            CameraFrames& attitude, Workspace& work) const {
   observation.view.placeBoard(work.linkFromBoard(observation.view.board()), attitude);
@@ -307,6 +307,7 @@ bool Residuals::addCorners(const BoardObservation& observation, const std::vecto
   return true;
 }
 
+/// Adds the corners of all boards of a group, which share one kinematic path. False if a corner has no projection.
 bool Residuals::addGroup(const ImageObservation& picture, const PreparedImage::Group& group, Workspace& work,
                          PosePart& part) const {
   const ObservationChain& path = picture.observations[group.observations.front()].view;
@@ -526,7 +527,7 @@ std::optional<std::vector<BoardMotionSums>> Residuals::boardMotions(const State&
   return result;
 }
 
-/// Computes a observation's motion sums. False if a corner has no projection.
+/// Computes an observation's motion sums. False if a corner has no projection.
 bool Residuals::addMotion(const BoardObservation& observation, const PreparedImage::Group& group, Workspace& work,
                           BoardMotionSums& motion) const {
   CameraFrames attitude = observation.view.pathFrames(measurements_.robot, work.modelState, work.torsoFromLink);
@@ -570,6 +571,7 @@ std::vector<BoardResidual> Residuals::boardResiduals(const State& state) const {
   return result;
 }
 
+/// Residuals of one board in one picture, at the workspace's state; not finite if a corner has no projection.
 BoardResidual Residuals::sightingResidual(std::size_t picture, std::size_t index, Workspace& work) const {
   const BoardObservation& observation = measurements_.pictures[picture].observations[index];
   CameraFrames attitude = observation.view.cameraFrames(measurements_.robot, work.modelState, work.torsoFromLink);

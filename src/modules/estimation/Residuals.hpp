@@ -17,14 +17,15 @@ namespace naocal {
 struct BoardResidual {
   std::size_t picture = 0, observation = 0;
   Eigen::Matrix2Xd predicted; // [px]
-  Eigen::Matrix2Xd residual;  // measured - predicted [px]
+  Eigen::Matrix2Xd residual;  // measured - predicted [px]: minus the r of all formulas
   Eigen::VectorXd weight;     // loss weight, 0..1
-  Eigen::MatrixXd
-      motionRows; // d(predicted) by (omega, v) of the board in the optical frame; rows u0, v0, ..., 6 columns
+  Eigen::MatrixXd motionRows; // derivative of `predicted` with respect to (omega, v) of the board in the optical frame;
+                              // rows u0, v0, ..., 6 columns
 };
 
-/// Sums of a single observation by a rigid motion of its board in the optical frame (omega, v), with cross terms to the
-/// unknowns and deflections of its pose. L: `motionRows`, W: the corners' weights; before any noise level is applied.
+/// Normal equations of a single observation for a rigid motion of its board in the optical frame (omega, v), with cross
+/// terms to the unknowns and deflections of its pose. L: `motionRows`, W: the corners' weights; before any noise level
+/// is applied.
 struct BoardMotionSums {
   std::size_t picture = 0, observation = 0, pose = 0;
   Eigen::Matrix<double, 6, 6> gram;               // L^T W L   [px^2 / (rad or m)^2]
@@ -57,9 +58,9 @@ public:
   /// Absent if the state is infeasible (a corner without projection). Poses run in parallel and are summed in order.
   std::optional<Linear> linearise(const State& state) const;
   /// As above, with deflections optimised at the state's unknowns (variable projection: Golub and Pereyra, Inverse
-  /// Problems 19 (2003) R1), so that the cost depends on the unknowns alone: where corners lose weight, the gradient by
-  /// the unknowns ignores what deflections would still gain. False if the state is infeasible. `result` must be empty
-  /// or filled by an earlier call; its memory is reused.
+  /// Problems 19 (2003) R1), so that the cost depends on the unknowns alone: where corners lose weight, the gradient
+  /// with respect to the unknowns ignores what deflections would still gain. False if the state is infeasible. `result`
+  /// must be empty or filled by an earlier call; its memory is reused.
   bool linearise(State& state, Linear& result) const;
   /// The same as rows, for models with many unknowns. Absent if the state is infeasible.
   std::optional<std::vector<PoseRows>> rows(const State& state) const;
@@ -121,6 +122,7 @@ struct ResidualSummary {
   double rmsPx = 0, medianPx = 0; // [px]; 0 without corners, not finite where one is behind the camera
   std::size_t corners = 0;
 };
+/// Summary of these distances [px].
 ResidualSummary summarizeDistances(std::vector<double> distances);
 
 /// Distance of every corner [px].

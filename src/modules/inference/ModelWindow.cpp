@@ -84,7 +84,7 @@ private:
     return std::min_element(models.begin(), models.end(),
                             [](const WindowModel& a, const WindowModel& b) { return a.cost < b.cost; });
   }
-  /// A posterior precision of the members' sizes, in units of what is plausible: information + 1 / width^2.
+  /// Posterior precision of the members' sizes, in units of what is plausible: information + 1 / width^2.
   static Eigen::MatrixXd posteriorPrecision(const WindowModel& model, Eigen::MatrixXd information) {
     Eigen::Index column = 0;
     for (std::size_t i = 0; i < model.members.size(); ++i) {
@@ -94,9 +94,9 @@ private:
     }
     return information;
   }
-  /// Costs alone. Each effect has a width of its own: one that is large in one of its numbers is likely so in the
-  /// others, and nothing follows from it for another effect. Members that are one to the last digit: a model without
-  /// weight.
+  /// The model with each choice of widths, costs only. Each effect has a width of its own: an effect with one large
+  /// unknown probably has other large ones, which says nothing about other effects. If two members are numerically
+  /// identical, the factorisation fails and the model gets no weight.
   std::vector<WindowModel> modelsOfEveryWidth(const Members& members) {
     const std::vector<Eigen::Index> columns = columnsOf(members);
     const Eigen::MatrixXd information = informationOf(members, eigenIndex(columns.size()));
@@ -119,7 +119,7 @@ private:
     }
     return result;
   }
-  /// Adds estimates and misfit.
+  /// Adds estimates and misfit to a model that has only its cost.
   WindowModel estimate(WindowModel result) {
     const std::vector<Eigen::Index> columns = columnsOf(result.members);
     const auto count = eigenIndex(columns.size());
@@ -222,7 +222,7 @@ private:
   ScoreTest tests_;
   PoseMisfit misfit_;
   Eigen::VectorXd score_, alone0_, variances_;
-  Eigen::MatrixXd answers_; // L^-1 times the cross information: minus the response of the own unknowns, per column
+  Eigen::MatrixXd answers_; // response of the own unknowns to a unit of each column, sign reversed
   double chi2OfNone_ = 0, named_ = 1, curves_ = 1;
   std::map<std::size_t, Eigen::MatrixXd> known_;
 };

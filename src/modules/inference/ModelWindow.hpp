@@ -8,7 +8,8 @@
 
 namespace naocal {
 
-/// A group of columns in a model: all columns of an effect, or the first `count` of a smooth curve.
+/// A group of columns of the score problem (index `group`) in a model: all columns of an effect, or the first `count`
+/// of a smooth curve.
 struct WindowMember {
   std::size_t group = 0;
   Eigen::Index count = 0;
@@ -20,11 +21,11 @@ struct WindowModel {
   std::vector<double> widths; // of each member's prior, in units of what is plausible (`plausibleWidths`)
   double cost = 0;            // -2 ln of its posterior probability, up to a constant: 0 for the model alone
   double weight = 0;          // its share among the window's models
-  double chi2 = 0;            // from pose to pose: beyond what is left when every joint may deflect anew in every pose
-  double freedom = 0;
-  Eigen::VectorXd unknowns;  // own unknowns, refitted with the members
-  Eigen::VectorXd variances; // variances of `unknowns`
-  Eigen::VectorXd sizes;     // coefficients of the members' columns, concatenated [the columns' units]
+  double chi2 = 0;            // misfit between poses (`PoseMisfit`), of the model with its members
+  double freedom = 0;         // degrees of freedom of `chi2`
+  Eigen::VectorXd unknowns;   // own unknowns, refitted with the members
+  Eigen::VectorXd variances;  // variances of `unknowns`
+  Eigen::VectorXd sizes;      // coefficients of the members' columns, concatenated [the columns' units]
 };
 
 /// Posterior of the own unknowns under model uncertainty: Bayesian model averaging over a window of models.
@@ -34,9 +35,9 @@ struct WindowModel {
 /// width of its own: where one unknown of an effect is beyond plausible, another that the captures do not determine may
 /// be, too. Each choice of widths counts as a model. Starting without members, the search adds the group that lowers D
 /// most until none does. After each addition it drops members whose removal does not raise D (an alias leaves when the
-/// true effect joins). The window is the model found, every removal, every swap of one member, and every addition
-/// (Madigan and Raftery, JASA 89 (1994) 1535; Hoeting et al., Statistical Science 14 (1999) 382), weighted by
-/// exp(-D_m / (2 misfit)) (quasi-likelihood: Burnham and Anderson, Model selection, 2002, section 2.5):
+/// true effect joins). The window (Occam's window) is the model found, every removal, every swap of one member, and
+/// every addition (Madigan and Raftery, JASA 89 (1994) 1535; Hoeting et al., Statistical Science 14 (1999) 382),
+/// weighted by exp(-D_m / (2 misfit)) (quasi-likelihood: Burnham and Anderson, Model selection, 2002, section 2.5):
 ///   mean = sum w_m unknowns_m,   variance = sum w_m [misfit C_m + (unknowns_m - mean)^2].
 /// The first `expected` effects are known to be present without their identity being known; they cost no 2 ln K.
 struct ModelWindow {
@@ -50,7 +51,7 @@ struct ModelWindow {
   /// model's value.
   std::array<double, 2> interval(Eigen::Index unknown) const;
 };
-/// Searches the window at one noise level. Models have at most four members.
+/// Searches the window at one noise level. `expected`: as above. Models have at most four members.
 ModelWindow searchModelWindow(const WideModel& wide, const Noise& noise, std::size_t expected = 0);
 
 } // namespace naocal

@@ -26,6 +26,7 @@ inline std::uint8_t luma(const std::uint8_t* rgb) {
 /// Decodes the grey levels of a PNG or JPEG; converts colours to luma and transparent pixels to white. Throws
 /// InputError naming the picture if the format is unknown, the content is truncated, or it exceeds 64 million pixels.
 GreyPicture decodeImage(std::string_view content, const std::string& name);
+/// The same of a file. Throws InputError also if it cannot be read.
 GreyPicture readImage(const std::filesystem::path& file);
 
 /// Encodes as PNG (lossless).

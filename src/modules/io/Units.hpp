@@ -19,6 +19,7 @@ inline constexpr std::string_view unitBases = "rad, m, px, s, row, Nm, K or A";
 
 /// Absent if the text is not such a product.
 std::optional<UnitPowers> parseUnit(std::string_view text);
+/// The unit as text, such as "rad/Nm^2"; "1" without a unit.
 std::string formatUnit(const UnitPowers& unit);
 
 /// one * other^power

@@ -10,8 +10,8 @@ struct FloorContact {
   static constexpr double tilt = 0.005;   // [rad]
 };
 
-/// Jacobian of the other sole's height and tilt over the floor, in units of FloorContact, by the motion (omega, v) of
-/// the floor seen from that sole. `normal`: the floor's normal there.
+/// Jacobian of the other sole's height and tilt over the floor, in units of FloorContact, with respect to the motion
+/// (omega, v) of the floor seen from that sole. `normal`: the floor's normal there.
 ///
 ///   height = -n . t, d(height) = -n . v;  d(n) = omega x n
 inline Eigen::Matrix<double, 3, 6> floorContactJacobian(const Eigen::Vector3d& normal) {

@@ -48,8 +48,8 @@ void listPath(const Robot& robot, std::size_t joint, std::size_t heldLink, const
   std::reverse(way.begin() + parting, way.end());
 }
 
-/// Adds the third derivative of -U of three joints wherever two of them belong to one motor: d(torqueGrowth) by the
-/// angle of the third.
+/// Adds the third derivative of -U of three joints wherever two of them belong to one motor: the derivative of
+/// torqueGrowth with respect to the angle of the third.
 void addGrowth(const Robot& robot, std::array<std::size_t, 3> joints, double bend, GravityLoad& load) {
   std::sort(joints.begin(), joints.end());
   do {

@@ -6,7 +6,7 @@
 
 namespace naocal {
 
-/// Gravity's effect on a robot with one link held still, and its derivatives by the joint angles.
+/// Gravity's effect on a robot with one link held still, and its derivatives with respect to the joint angles.
 struct GravityLoad {
   Eigen::VectorXd torque;        // as `gravityTorques`, per joint [Nm]
   Eigen::MatrixXd torqueByAngle; // d(torque of row)/d(angle of column), one column per joint [Nm/rad]

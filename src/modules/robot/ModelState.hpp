@@ -34,7 +34,7 @@ private:
 
 /// State of robot and scene at one instant, for one camera: plain numbers that effects correct.
 ///
-/// The derivative of the picture by each of them is analytic (camera/ObservationChain.hpp).
+/// The derivative of the picture with respect to each of them is analytic (camera/ObservationChain.hpp).
 class ModelState {
 public:
   explicit ModelState(const StateLayout& quantities)
@@ -93,7 +93,7 @@ private:
 /// Nominal robot: all angles zero, nominal camera mount, boards at the origins of their frames.
 ModelState nominalState(const Robot& robot, const StateLayout& quantities);
 
-/// Sets all joints to zero, or to the nearest angle within their limits.
+/// Sets every joint to its `Joint::restAngle`, or to the nearest angle within its limits.
 void moveToRest(const Robot& robot, ModelState& modelState);
 
 } // namespace naocal

@@ -36,7 +36,7 @@ struct Joint {
   AngleRange limits;                               // [rad]
   std::optional<CoupledLimits> coupled;            // applies in addition to `limits`
   double maxSpeed = 0;                             // [rad/s]
-  double restAngle = 0;                            // angle assumed where not recorded (for masses only) [rad]
+  double restAngle = 0;  // with the arms hanging down; assumed where not recorded, and in plans [rad]
   std::size_t motor = 0; // index of the joint whose motor drives this one: itself, except for the right hip yaw-pitch
 };
 

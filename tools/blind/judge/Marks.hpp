@@ -25,6 +25,7 @@ struct Marks {
   std::optional<bool> jitterAdequate, jitterLevel;       // no effect missing, and the level within 20 %
 };
 
+/// Compares an answer with the truth.
 Marks markAnswer(const Case& one);
 
 /// Whether sets of this group hide exactly one effect of the catalogue.

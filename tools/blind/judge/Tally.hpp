@@ -59,6 +59,7 @@ struct Tally {
   std::size_t sets = 0, withoutVerdict = 0;
 };
 
+/// Marks all cases and counts.
 Tally tallyCases(const std::vector<Case>& cases);
 
 /// EVALUATION.json (`naocal-effect-evaluation`).
@@ -71,6 +72,7 @@ struct Required {
   bool met = false;
   std::optional<double> value = std::nullopt; // for non-proportions; `share.all` is then the sample size
 };
+/// All figures that the benchmark must reach, and whether each is met.
 std::vector<Required> requiredFigures(const Tally& tally);
 
 } // namespace blind

@@ -12,6 +12,7 @@ inline std::string unseal(const std::string& bytes, const std::string& key) {
   return seal(bytes, key);
 }
 
+/// Lower-case hexadecimal SHA-256.
 std::string sha256Hex(const std::string& bytes);
 
 std::string readFile(const std::filesystem::path& file);                       // throws if unreadable

@@ -33,6 +33,7 @@ struct DesignCounts {
   std::string only;        // a single group; empty: all
 };
 
+/// Names of all noise regimes.
 const std::vector<std::string>& noiseRegimes();
 
 /// All sets of a benchmark in random order: every prefix is a fair sample.
@@ -47,6 +48,7 @@ Robot drawRobot(const Drawing& drawing, std::size_t boards, RandomStream& chance
 /// The same robot without flaws; keeps offsets and mounts.
 Robot withoutFlaws(Robot robot);
 
+/// The regime of that name; numbers in it are degrees ("stiction 0.05"). Unknown words are ignored.
 NoiseRegime noiseRegime(const std::string& name);
 
 } // namespace blind

@@ -26,6 +26,7 @@ public:
   /// factor exceeds `most`.
   std::optional<HiddenFlaw> scaleTo(const FlawFamily& family, const std::string& place, std::vector<double> shape,
                                     double wanted, double most) const;
+  /// The flaw at these values, with its noncentrality in the session.
   HiddenFlaw makeFlaw(const FlawFamily& family, const std::string& place, std::vector<double> values) const;
   /// Largest canonical correlation of two flaws' changes of the images, all unknowns free.
   double correlation(const HiddenFlaw& first, const HiddenFlaw& second) const;
@@ -46,6 +47,7 @@ std::vector<double> randomShape(const FlawFamily& family, RandomStream& chance);
 /// The same, scaled to their plausible sizes.
 std::vector<double> plausibleShape(const FlawFamily& family, RandomStream& chance);
 
+/// Adds the flaw to the robot.
 void applyFlaw(const HiddenFlaw& hidden, Robot& robot);
 
 } // namespace blind

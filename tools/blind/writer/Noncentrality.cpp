@@ -21,7 +21,7 @@ constexpr double nudge = 1e-5; // [rad, m]
 
 using View = std::function<Transform(double)>; // cameraFromBoard with one unknown changed by the argument
 
-/// Derivative of a sight's corners by a motion of the board in the camera frame.
+/// Derivative of a sight's corners with respect to a motion of the board in the camera frame.
 Eigen::VectorXd slope(const BoardSight& sight, const View& view) {
   Eigen::VectorXd column{2 * static_cast<Index>(sight.ids.size())};
   const Transform before = view(-nudge), after = view(nudge);
@@ -40,7 +40,8 @@ FloorPlace moved(FloorPlace place, int coordinate, double by) {
   return place;
 }
 
-/// Derivatives of all corners by a calibration's unknowns, by central differences on a robot without flaws.
+/// Derivatives of all corners with respect to a calibration's unknowns, by central differences on a robot without
+/// flaws.
 class Jacobian {
 public:
   static constexpr Eigen::Index chainLength = 8;

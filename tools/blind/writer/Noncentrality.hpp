@@ -17,9 +17,10 @@ double noiseFloor(const Robot& robot, const Session& session, const ObservedCorn
 ///
 ///   lambda = d^T M Sigma^-1 d,  M Sigma^-1 = Sigma^-1 - Sigma^-1 A (A^T Sigma^-1 A + Lambda)^-1 A^T Sigma^-1
 ///
-/// A: derivative of all corners (finite differences) by the offsets of the joints in use, the camera rotations and the
-/// placements of all boards (except the first) and stances; Lambda: prior information on offsets and cameras. Sigma:
-/// pixel noise, image shifts, encoder error and stiction per approach, stiction common to all approaches of a pose.
+/// A: derivative of all corners (finite differences) with respect to the offsets of the joints in use, the camera
+/// rotations and the placements of all boards (except the first) and stances; Lambda: prior information on offsets and
+/// cameras. Sigma: pixel noise, image shifts, encoder error and stiction per approach, stiction common to all
+/// approaches of a pose.
 class Noncentrality {
 public:
   Noncentrality(const Robot& robot, const Session& session, const NoiseRegime& noise);

@@ -11,6 +11,7 @@ namespace blind {
 /// Simulated detections: true corners plus noise, by sight.
 using ObservedCorners = std::vector<std::vector<Eigen::Vector2d>>;
 
+/// Adds the regime's noise to all corners [px].
 ObservedCorners noisyCorners(const TruePictures& pictures, const Session& session, const NoiseRegime& noise,
                              RandomStream& chance);
 

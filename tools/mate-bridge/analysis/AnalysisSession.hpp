@@ -18,7 +18,6 @@ namespace naocal {
 /// (all model revisions, and the current one), "fit" (estimates and residuals of the model), "questions" (its
 /// candidates, map, curves), "found" (result of a search for missing effects), "next" (proposed poses), "compared"
 /// (errors on other captures).
-/// "compared" (other captures' errors).
 class AnalysisSession {
 public:
   using MessageSink = std::function<void(const std::string& kind, const nlohmann::json& content)>;

@@ -14,6 +14,7 @@ struct LackOfFit {
   double pValue = 1;
   double noiseFloorPx = 0; // expected rms distance of corners under noise alone [px]
 };
+/// At the fit and the noise levels of the candidate tests.
 LackOfFit testLackOfFit(const CandidateTests& candidateTests);
 
 } // namespace naocal

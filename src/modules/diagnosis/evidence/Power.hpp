@@ -19,8 +19,9 @@ double requiredNoncentrality(double power, Eigen::Index freedom, double critical
 /// Detectability of a candidate, from the information V = covariance^-1 of its unknowns.
 struct Sensitivity {
   double power = 0;               // at the plausible size of the unknown hardest to detect
-  std::vector<double> detectable; // per unknown: size detected with 90 % power
+  std::vector<double> detectable; // per unknown: size detected with 90 % power [the unknown's unit]
 };
+/// `plausible`: prior sigma of each unknown [the unknown's unit]; `criticalP`: p-value below which it is detected.
 Sensitivity computeSensitivity(const GroupEvidence& group, const Eigen::VectorXd& plausible, double criticalP);
 
 } // namespace naocal

@@ -24,10 +24,10 @@ struct DriverCurve {
   std::string about;         // mount: axis of rotation, "y"; fields within pictures: direction
   std::string unit = "rad";  // of the curve; "m" for a board's shape, "px" for a lens
   double share = 0;          // explained share of the variance of this joint or mount, or within pictures
-  double likelihoodRatio = 0, bayes = 0, amplitude = 0; // amplitude: half of the curve's range
-  std::vector<std::array<double, 3>> curve;             // (driver, deflection, standard error)
-  std::string expression;                               // joints: a small expression that follows the curve
-  std::vector<Coefficient> coefficients;                // of `expression`
+  double likelihoodRatio = 0, bayes = 0, amplitude = 0; // amplitude: half of the curve's range [`unit`]
+  std::vector<std::array<double, 3>> curve; // (driver, deflection, standard error), in the driver's unit and `unit`
+  std::string expression;                   // joints: a small expression that follows the curve
+  std::vector<Coefficient> coefficients;    // of `expression`
 };
 
 /// A cell of the map: evidence of a curve of this joint or mount over this driver.
@@ -41,6 +41,7 @@ struct DriverMap {
   std::vector<DriverScore> cells;
   std::vector<DriverCurve> best; // curves with the most evidence, best first
 };
+/// Evidence and curves at the fit of the candidate tests.
 DriverMap mapDrivers(const CandidateTests& candidateTests, const Measurements& measurements);
 
 /// An image field as a curve, like those of joints. Driver: rows ("y") or columns ("x") for a board, "v" or "u" for a

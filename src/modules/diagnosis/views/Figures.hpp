@@ -32,14 +32,15 @@ struct CaptureIndex {
   std::map<std::string, std::array<int, 2>> cameras; // image width and height [px]
 };
 
+/// Poses and pictures in the order of the measurements.
 CaptureIndex indexCaptures(const Measurements& measurements);
 
 /// Figures of a diagnosis, besides those of its candidates.
 struct Figures {
   /// Residuals of a model in several views.
   struct Left {
-    std::vector<SingleJointCorrection> whatIfs; // one per joint
-    ResidualField leftover;
+    std::vector<SingleJointCorrection> whatIfs; // per joint: its deflection that would explain each pose's misfit
+    ResidualField leftover;                     // what no rigid motion of a picture explains
     std::vector<BoardShape> shapes;
   };
   CaptureIndex taken;                 // poses and pictures as indexed by the figures

@@ -31,7 +31,8 @@ private:
 
 /// One board in one picture, with its rigid motion projected out of the corner errors.
 struct MotionFreeResidual {
-  const BoardResidual* errors = nullptr; // r = measured - predicted [px], L = `motionRows`, W = `weight`
+  const BoardResidual* errors = nullptr; // r = measured - predicted [px] (elsewhere the opposite), L = `motionRows`,
+                                         // W = `weight`
   const std::vector<int>* ids = nullptr; // of the corners
   std::size_t camera = 0, board = 0;
   Eigen::Matrix3d opticalFromBoard;
@@ -69,8 +70,8 @@ class MotionFreeResiduals {
 public:
   MotionFreeResiduals(const FittedModel& fitted);
 
-  /// Fits `count` coefficients to the `chosen` observations; `columns`: d(predicted) by the coefficients, two rows per
-  /// corner. With too few measurements the result is undetermined (bayes 0, pValue 1).
+  /// Fits `count` coefficients to the `chosen` observations; `columns`: derivative of the prediction with respect to
+  /// the coefficients, two rows per corner. With too few measurements the result is undetermined (bayes 0, pValue 1).
   FieldFit fitField(Eigen::Index count, double plausible, const std::function<bool(const MotionFreeResidual&)>& chosen,
                     const std::function<Eigen::MatrixXd(const MotionFreeResidual&)>& columns) const;
 

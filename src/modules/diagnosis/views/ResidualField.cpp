@@ -86,7 +86,7 @@ std::size_t part(double x, int size, int parts) {
   return static_cast<std::size_t>(std::clamp(static_cast<int>(x / size * parts), 0, parts - 1));
 }
 
-/// Adds a observation's trusted corners to their cells; returns their number and sum of squares [px^2].
+/// Adds an observation's trusted corners to their cells; returns their number and sum of squares [px^2].
 std::pair<double, double> addCorners(const BoardResidual& observation, const Eigen::Matrix2Xd& errors,
                                      std::size_t camera, const CameraIntrinsics& lens,
                                      std::map<CellPlace, CellSums>& cells) {

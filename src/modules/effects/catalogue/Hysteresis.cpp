@@ -2,7 +2,7 @@
 
 namespace naocal {
 
-/// The output lags the last motion by half the gap (thesis equation 3.1).
+/// The output lags the last motion by half the gap (Adikari's thesis, equation 3.1).
 Effect hysteresis() {
   return {.name = effectName::hysteresis,
           .what = "the gear's gap: the joint lags behind its last motion",
