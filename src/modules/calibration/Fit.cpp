@@ -254,8 +254,18 @@ Fit weighByMisfit(const Measurements& measurements, const Model& model, const Fi
     }
     fit = *std::move(there);
   }
-  const double before = rmsAsReported(measurements, model, from), after = rmsAsReported(measurements, model, fit);
-  return after < nearer * before || !std::isfinite(before) ? fit : from;
+  const double before = rmsAsReported(measurements, model, from);
+  double least = rmsAsReported(measurements, model, fit);
+  Noise rigid = from.noise; // deflections hide the misfit where joints do scatter
+  rigid.pose = rigid.reapproach = rigid.stance = 0;
+  if (auto there =
+          restart(measurements, model, from.noise, from.loss, refit(measurements, model, rigid, from.loss, from))) {
+    if (const double rms = rmsAsReported(measurements, model, *there); rms < nearer * least) {
+      fit = *std::move(there);
+      least = rms;
+    }
+  }
+  return least < nearer * before || !std::isfinite(before) ? fit : from;
 }
 
 } // namespace naocal

@@ -53,9 +53,9 @@ bool hasLostWeight(const BoardResidual& observation);
 Fit fitFully(const Measurements& measurements, const Model& model, Fit from);
 
 /// Refit of a model that lacks an effect other than joint noise: adds the misfit beyond the noise floor to the pixel
-/// noise. Otherwise the fit deflects joints to follow relative positions of sharp corners and ends up to several times
-/// farther from the pictures than necessary. The result is stated at the noise of `from`; returns `from` unless the rms
-/// error falls by more than 10 %.
+/// noise, or keeps joints from scattering, whichever comes nearer to the pictures. Otherwise the fit deflects joints to
+/// follow relative positions of sharp corners and ends up to several times farther from the pictures than necessary.
+/// The result is stated at the noise of `from`; returns `from` unless the rms error falls by more than 10 %.
 Fit weighByMisfit(const Measurements& measurements, const Model& model, const Fit& from);
 
 } // namespace naocal

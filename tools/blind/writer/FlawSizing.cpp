@@ -19,8 +19,14 @@ Eigen::VectorXd FlawSizing::change(const FlawFamily& family, const std::string& 
 HiddenFlaw FlawSizing::makeFlaw(const FlawFamily& family, const std::string& place, std::vector<double> values) const {
   const Eigen::VectorXd difference = change(family, place, values);
   const double noncentrality = noncentrality_.product(difference, difference);
-  const double known = noncentrality_.knownProduct(difference, difference);
-  return {&family, place, std::move(values), noncentrality, known > 0 ? noncentrality / known : 0};
+  std::vector<double> small = values; // to first order: a calibration absorbs what is curved as well
+  for (double& value : small) {
+    value *= 0.1;
+  }
+  const Eigen::VectorXd slope = change(family, place, small);
+  const double known = noncentrality_.knownProduct(slope, slope);
+  return {&family, place, std::move(values), noncentrality,
+          known > 0 ? noncentrality_.product(slope, slope) / known : 0};
 }
 
 std::optional<HiddenFlaw> FlawSizing::scaleTo(const FlawFamily& family, const std::string& place,
