@@ -16,7 +16,7 @@
 namespace naocal {
 namespace {
 
-constexpr double leastGain = 0.5;          // largest remaining share of the error; above it the calibration is not kept
+constexpr double maxRemainingError = 0.5;  // largest remaining share of the error; above it the calibration is not kept
 constexpr double mostOffset = radians(20); // [rad]; beyond it captures are refused as inconsistent; 11.5 deg have been
                                            // observed
 
@@ -131,7 +131,7 @@ void CalibrationJobs::check() {
   give([this, session = sessions_[1], abandoned = abandoned_.load()](bool& isLasting) {
     const CalibrationRecorder::ErrorComparison error =
         session->session.value().compareErrors(before_, readConfiguredCalibration(context_.configuration));
-    isLasting = abandoned == abandoned_ && error.after <= leastGain * error.before;
+    isLasting = abandoned == abandoned_ && error.after <= maxRemainingError * error.before;
     if (isLasting) {
       saveCalibration(context_.configuration);
       keysToPutBack_.reset();

@@ -19,8 +19,8 @@ CameraModel modelState(const std::array<double, 3>& rotation, const std::array<d
 } // namespace
 
 void Projection::onParametersChanged() {
-  beliefs_ = {{"top", modelState(*topRotation_, *topFocal_, *topCentre_)},
-              {"bottom", modelState(*bottomRotation_, *bottomFocal_, *bottomCentre_)}};
+  cameraModels_ = {{"top", modelState(*topRotation_, *topFocal_, *topCentre_)},
+                   {"bottom", modelState(*bottomRotation_, *bottomFocal_, *bottomCentre_)}};
 }
 
 void to_json(nlohmann::json& out, const CameraModel& modelState) {

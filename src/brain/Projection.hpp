@@ -24,14 +24,14 @@ void to_json(nlohmann::json& out, const CameraModel& modelState);
 class Projection final : public Module {
 public:
   Projection() : Module{"Projection"} {}
-  void cycle() override { beliefs_.edit(); }
+  void cycle() override { cameraModels_.edit(); }
   void onParametersChanged() override;
 
 private:
   Parameter<std::array<double, 3>> topRotation_{*this, "top_ext"}, bottomRotation_{*this, "bottom_ext"}; // [rad]
   Parameter<std::array<double, 2>> topFocal_{*this, "top_fc"}, bottomFocal_{*this, "bottom_fc"};         // [1]
   Parameter<std::array<double, 2>> topCentre_{*this, "top_cc"}, bottomCentre_{*this, "bottom_cc"};       // [1]
-  Production<CameraModels> beliefs_{*this, "cameras"};
+  Production<CameraModels> cameraModels_{*this, "cameras"};
 };
 
 } // namespace naocal

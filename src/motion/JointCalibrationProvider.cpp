@@ -38,7 +38,7 @@ void JointCalibrationProvider::onParametersChanged() {
 }
 
 void JointCalibrationProvider::cycle() {
-  offsetsShown_ = offsets_;
+  publishedOffsets_ = offsets_;
   problem_.edit();
   if (measured_->isNew) {
     angles_ = compensate(measured_->state.angles, offsets_);

@@ -24,7 +24,7 @@ private:
   std::deque<Parameter<double>> degrees_; // same order as `jointNames`
   JointOffsets offsets_;
   Dependency<SensorFrame> measured_{*this, "measured"};
-  Production<JointOffsets> offsetsShown_{*this, "JointCalibrationData"};
+  Production<JointOffsets> publishedOffsets_{*this, "JointCalibrationData"};
   Production<CompensatedAngles> angles_{*this, "angles"};
   Production<std::string> problem_{*this, "JointCalibrationProvider.problem"}; // one sentence; empty: no problem
 };

@@ -139,8 +139,8 @@ int main(int argc, char** argv) {
   const Eigen::VectorXd drivenNominal = initializePlacements(driven.measurements, driven.model, zero(driven.model));
   const Residuals fullResiduals{full.measurements, full.model, Noise{}},
       drivenResiduals{driven.measurements, driven.model, Noise{}};
-  time("full step", [&] { return fullResiduals.linearise(fullResiduals.startState(nominal))->gradient; });
-  time("driven step", [&] { return drivenResiduals.linearise(drivenResiduals.startState(drivenNominal))->gradient; });
+  time("full step", [&] { return fullResiduals.linearize(fullResiduals.startState(nominal))->gradient; });
+  time("driven step", [&] { return drivenResiduals.linearize(drivenResiduals.startState(drivenNominal))->gradient; });
   time("driven search", [&] { return searched(drivenResiduals, drivenNominal); });
   time("full calibration", [&] { return calibrate(full.measurements, full.model).unknowns; });
   Times fullTimes;

@@ -146,7 +146,7 @@ TEST_CASE("a fit that bends joints until it sees what lies behind the camera is 
   const std::size_t head = made.robot.jointIndex("HeadYaw").value();
   Fit fit{noise, {}, {}};
   fit.minimum.state = residuals.startState(calibrate(made.measurements, made.model).unknowns);
-  fit.minimum.linear = residuals.linearise(fit.minimum.state).value();
+  fit.minimum.linear = residuals.linearize(fit.minimum.state).value();
   for (std::size_t pose = 0; pose < fit.minimum.linear.poses.size(); ++pose) {
     const PoseSystem& system = fit.minimum.linear.poses[pose];
     Eigen::VectorXd turned = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(system.joints.size()));
@@ -161,7 +161,7 @@ TEST_CASE("a fit that bends joints until it sees what lies behind the camera is 
       fit.minimum.state.unknowns[static_cast<Eigen::Index>(term.first)] += std::numbers::pi;
     }
   }
-  REQUIRE(residuals.linearise(fit.minimum.state)); // at the deflected joints the corners are visible
+  REQUIRE(residuals.linearize(fit.minimum.state)); // at the deflected joints the corners are visible
   CHECK_THROWS_AS(estimateUncertainty(made.measurements, made.model, fit, {noise}), InputError);
 }
 

@@ -51,14 +51,14 @@ void countNamed(const Simulation& simulation, const Measurements& measurements, 
   using Corner = std::tuple<int, std::string, int>;
   std::set<Corner> named, gross;
   std::set<std::pair<int, std::string>> namedBoards, displaced;
-  for (const Outlier& doubt : result.doubts) {
-    const ImageObservation& picture = measurements.pictures[doubt.picture];
+  for (const Outlier& outlier : result.outliers) {
+    const ImageObservation& picture = measurements.pictures[outlier.picture];
     const int capture = simulation.set.captures[picture.capture].id;
-    const std::string board = measurements.targets[picture.observations[doubt.observation].view.board()].name;
-    for (int corner : doubt.corners) {
+    const std::string board = measurements.targets[picture.observations[outlier.observation].view.board()].name;
+    for (int corner : outlier.corners) {
       named.insert({capture, board, corner});
     }
-    if (2 * doubt.corners.size() > picture.observations[doubt.observation].ids.size()) {
+    if (2 * outlier.corners.size() > picture.observations[outlier.observation].ids.size()) {
       namedBoards.insert({capture, board});
     }
   }
@@ -110,7 +110,7 @@ void add(const Simulation& simulation, const Robot& robot, const Kind& kind, Tal
   const Eigen::VectorXd truth = trueUnknowns(simulation, model, result.unknowns);
   const Residuals residuals{measurements, model, trueNoise(kind)};
   const LinearMinimum best =
-      solveLinearized(*residuals.linearise(residuals.startState(truth)), truth, model.sigmas(), trueNoise(kind));
+      solveLinearized(*residuals.linearize(residuals.startState(truth)), truth, model.sigmas(), trueNoise(kind));
   for (const Term& term : model.terms()) {
     for (std::size_t i = 0; i < term.effect.unknowns.size() && !term.isPlacement; ++i) {
       const std::size_t unknown = term.first + i;
@@ -128,7 +128,7 @@ void add(const Simulation& simulation, const Robot& robot, const Kind& kind, Tal
   }
   options.start = truth;
   options.noise = result.noise;
-  options.estimateNoise = options.question = false;
+  options.estimateNoise = options.testMissingEffects = false;
   const CalibrationResult fromTruth = calibrate(measurements, model, options);
   const Eigen::VectorXd difference = (fromTruth.unknowns - result.unknowns).cwiseAbs();
   const bool elsewhere = (difference.array() > 0.1 * result.covariance.diagonal().array().sqrt()).any();

@@ -117,7 +117,7 @@ TEST_CASE("a model that lacks an effect lies nearly as near to the pictures as i
   const Model model = buildModel(measurements);
   CalibrationOptions least;
   least.noise.pixel = 10; // [px]; so large that only distances of corners count
-  least.estimateNoise = least.question = least.robust = least.excludeDisplaced = false;
+  least.estimateNoise = least.testMissingEffects = least.robust = least.excludeDisplaced = false;
   const CalibrationResult result = calibrate(measurements, model);
   const double possible = calibrate(measurements, model, least).rmsPx;
   CHECK(possible > 3);

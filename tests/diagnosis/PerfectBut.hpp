@@ -36,7 +36,7 @@ inline CalibrationResult calibratedAt(const Noise& noise, const Measurements& me
   CalibrationOptions options;
   options.noise = noise;
   options.pixelGiven = true;
-  options.estimateNoise = options.robust = options.excludeDisplaced = options.question = false;
+  options.estimateNoise = options.robust = options.excludeDisplaced = options.testMissingEffects = false;
   return calibrate(measurements, model, options);
 }
 

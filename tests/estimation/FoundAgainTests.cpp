@@ -75,7 +75,7 @@ TEST_CASE("every effect at every place moves pictures and is found again") {
     Measurements measurements = clean;
     seeAs(model, without, measurements);
     const Residuals before{measurements, model, fine};
-    const auto shown = before.linearise(before.startState(truth));
+    const auto shown = before.linearize(before.startState(truth));
     REQUIRE(shown);
     CHECK(shown->cost > 1e3); // visible beyond the prior, at 0.001 px noise
 

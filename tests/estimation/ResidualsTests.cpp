@@ -57,7 +57,7 @@ TEST_CASE("integrating out deflections equals the full covariance of all corners
   const Noise noise{0.4, 6e-4, 9e-4};
   const Residuals residuals{problem.measurements, problem.model, noise};
   const Residuals::State state = residuals.startState(0.05 * problem.model.sigmas());
-  const auto linear = residuals.linearise(state);
+  const auto linear = residuals.linearize(state);
   REQUIRE(linear);
   for (std::size_t pose = 0; pose < linear->poses.size(); ++pose) {
     const PoseSystem& system = linear->poses[pose];
@@ -101,7 +101,7 @@ TEST_CASE("the cost follows the unknowns alone, also where corners lose their we
   const auto costAt = [&](const Eigen::VectorXd& unknowns, Eigen::VectorXd& gradient) {
     Residuals::State state = residuals.startState(unknowns);
     Residuals::Linear linear;
-    REQUIRE(residuals.linearise(state, linear));
+    REQUIRE(residuals.linearize(state, linear));
     gradient = linear.gradient;
     return linear.cost;
   };
@@ -190,7 +190,7 @@ TEST_CASE("no order of captures changes a digit") {
   const Measurements other = buildMeasurements({shuffled}, problem.robot);
   const Residuals a{problem.measurements, problem.model, {}}, b{other, problem.model, {}};
   const Eigen::VectorXd unknowns = 0.1 * problem.model.sigmas();
-  const auto left = a.linearise(a.startState(unknowns)), right = b.linearise(b.startState(unknowns));
+  const auto left = a.linearize(a.startState(unknowns)), right = b.linearize(b.startState(unknowns));
   REQUIRE(left);
   REQUIRE(right);
   CHECK(left->cost == right->cost);

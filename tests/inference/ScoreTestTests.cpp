@@ -128,7 +128,7 @@ TEST_CASE("how far an effect moves corners is what predictions show when it is p
     unknowns.head(problem.ownCount()) = asked.fit.unknowns;
     const auto before = residuals.boardResiduals(residuals.startState(unknowns));
     Eigen::MatrixXd hessian = Eigen::MatrixXd::Zero(unknowns.size(), unknowns.size());
-    const auto linear = residuals.linearise(residuals.startState(unknowns));
+    const auto linear = residuals.linearize(residuals.startState(unknowns));
     for (const PoseSystem& pose : linear->poses) {
       const MarginalSystem part = marginalize(pose, asked.fit.noise, jointErrorRoot(pose, asked.fit.noise));
       const std::vector<Eigen::Index> columns(pose.unknowns.begin(), pose.unknowns.end());

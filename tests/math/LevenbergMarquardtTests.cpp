@@ -12,7 +12,7 @@ struct Valley {
     Eigen::VectorXd gradient;
     Eigen::MatrixXd hessian;
   };
-  bool linearise(const Eigen::VectorXd& p, Linear& linear) const {
+  bool linearize(const Eigen::VectorXd& p, Linear& linear) const {
     if (p[0] < -1.5) {
       return false;
     }
@@ -21,14 +21,16 @@ struct Valley {
     linear = {0.5 * r.squaredNorm(), j.transpose() * r, j.transpose() * j};
     return true;
   }
-  Eigen::VectorXd applyStep(const Eigen::VectorXd& p, const Linear&, const Eigen::VectorXd& step) const { return p + step; }
+  Eigen::VectorXd applyStep(const Eigen::VectorXd& p, const Linear&, const Eigen::VectorXd& step) const {
+    return p + step;
+  }
   const Eigen::VectorXd& scales() const { return scale; }
   Eigen::VectorXd scale = Eigen::Vector2d{1, 1};
 };
 
 /// r = (sqrt |y - x^2| + 1, (x - 1) / 1000): a kink along y = x^2, where the gradient does not indicate the direction.
 struct Fold : Valley {
-  bool linearise(const Eigen::VectorXd& p, Linear& linear) const {
+  bool linearize(const Eigen::VectorXd& p, Linear& linear) const {
     const double side = p[1] < p[0] * p[0] ? -1 : 1;
     const Eigen::Vector2d r{std::sqrt(std::abs(p[1] - p[0] * p[0])) + 1, 1e-3 * (p[0] - 1)};
     const double slope = side / (2 * std::max(1e-9, r[0] - 1));

@@ -66,7 +66,7 @@ Eigen::VectorXd misfits(const Fitted& fitted, const Noise& noise, const ModelAmb
   const Model model = addHypotheses(fitted.measurements, fitted.model, question);
   const Residuals residuals{fitted.measurements, model, noise};
   const auto linear =
-      residuals.linearise(residuals.startState(mapParameters(fitted.model, fitted.fit.unknowns, model)));
+      residuals.linearize(residuals.startState(mapParameters(fitted.model, fitted.fit.unknowns, model)));
   Eigen::MatrixXd hessian = model.sigmas().cwiseAbs2().cwiseInverse().asDiagonal();
   for (const PoseSystem& pose : linear.value().poses) {
     marginalInformation(pose, noise).addTo(hessian);

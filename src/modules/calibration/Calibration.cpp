@@ -16,11 +16,11 @@ namespace naocal {
 namespace {
 
 /// A fit with consistent noise levels, and the analysis of missing effects.
-struct Answer {
+struct NoiseConsistentFit {
   Fit fit;
   NoiseLevels levels;
   bool fromRepeats = false;
-  std::optional<Explained> explained;
+  std::optional<MissingEffectAnalysis> explained;
 };
 
 /// Sets the pixel noise: from repeats, else from the residuals within pictures, unless the user gave it. Returns
@@ -56,8 +56,10 @@ Fit fitFurther(const Measurements& measurements, const Model& model, const Calib
 }
 
 /// Refines a fit: pixel noise, joint noise levels under the widest model, and missing effects at those levels.
-Answer findAnswer(const Measurements& measurements, const Model& model, const CalibrationOptions& options, Fit fit) {
-  Answer answer{fitFurther(measurements, model, options, options.noise, std::move(fit)), {options.noise}, false, {}};
+NoiseConsistentFit fitWithNoise(const Measurements& measurements, const Model& model, const CalibrationOptions& options,
+                                Fit fit) {
+  NoiseConsistentFit answer{
+      fitFurther(measurements, model, options, options.noise, std::move(fit)), {options.noise}, false, {}};
   if (options.estimateNoise) {
     for (int round = 0; round < 2; ++round) {
       answer.fromRepeats = estimatePixelNoise(measurements, model, answer.fit, options, answer.levels.noise);
@@ -66,8 +68,8 @@ Answer findAnswer(const Measurements& measurements, const Model& model, const Ca
   }
   const std::optional<RepeatInfo> repeats =
       answer.fromRepeats ? std::optional{countRepeatedRests(measurements)} : std::nullopt;
-  if (options.question) {
-    answer.explained = explain(measurements, model, answer.fit, answer.levels.noise, repeats, options);
+  if (options.testMissingEffects) {
+    answer.explained = analyseMissingEffects(measurements, model, answer.fit, answer.levels.noise, repeats, options);
     answer.levels = answer.explained->levels;
     answer.fit = answer.explained->fit;
   } else {
@@ -80,7 +82,7 @@ Answer findAnswer(const Measurements& measurements, const Model& model, const Ca
 /// Excludes, one at a time, observations whose board was displaced beyond doubt under any explanation. Returns the
 /// remaining measurements, or nothing if none was excluded.
 std::optional<Measurements> excludeMovedBoards(const Measurements& measurements, const Model& model,
-                                               const CalibrationOptions& options, Answer& answer) {
+                                               const CalibrationOptions& options, NoiseConsistentFit& answer) {
   const std::size_t most = Accidents{measurements, {}}.mostSetAside();
   std::optional<Measurements> kept;
   for (std::size_t aside = 0; aside < most; ++aside) {
@@ -96,28 +98,29 @@ std::optional<Measurements> excludeMovedBoards(const Measurements& measurements,
       kept = measurements;
     }
     excludeObservation(*kept, *moved);
-    answer = findAnswer(*kept, model, options, std::move(answer.fit));
+    answer = fitWithNoise(*kept, model, options, std::move(answer.fit));
   }
   return kept;
 }
 
-/// The model with priors widened where the fit requires it (`addPriors` in calibration/ModelUncertainty.hpp).
-std::optional<Model> addPriors(const Model& model, const Fit& fit) {
+/// The model with priors widened where the fit requires it (`widenPriors` in calibration/ModelUncertainty.hpp).
+std::optional<Model> widenPriors(const Model& model, const Fit& fit) {
   const Eigen::MatrixXd& hessian = fit.minimum.linear.hessian;
   const Eigen::MatrixXd covariance = hessian.ldlt().solve(Eigen::MatrixXd::Identity(hessian.rows(), hessian.cols()));
-  return addPriors(model, fit.minimum.state.unknowns, covariance.diagonal());
+  return widenPriors(model, fit.minimum.state.unknowns, covariance.diagonal());
 }
 
 } // namespace
 
 CalibrationResult calibrate(const Measurements& measurements, const Model& model, const CalibrationOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
-  Answer answer = findAnswer(measurements, model, options, fitInitially(measurements, model, options.noise, options));
+  NoiseConsistentFit answer =
+      fitWithNoise(measurements, model, options, fitInitially(measurements, model, options.noise, options));
   const auto kept = options.robust && options.excludeDisplaced
                         ? excludeMovedBoards(measurements, model, options, answer)
                         : std::nullopt;
   const Measurements& used = kept ? *kept : measurements;
-  const std::optional<Model> wider = addPriors(model, answer.fit);
+  const std::optional<Model> wider = widenPriors(model, answer.fit);
   if (wider) {
     const Loss loss = answer.fit.loss;
     answer.fit = refit(used, *wider, answer.levels.noise, loss, std::move(answer.fit));
@@ -126,17 +129,17 @@ CalibrationResult calibrate(const Measurements& measurements, const Model& model
   CalibrationResult result = estimateUncertainty(used, believed, answer.fit, answer.levels);
   result.noiseSource = answer.fromRepeats ? "repeats" : "configured";
   result.restartsTried = options.restarts;
-  result.doubts = findOutliers(used, result);
-  if (options.robust && Accidents{used, result.doubts}.areTooMany()) {
+  result.outliers = findOutliers(used, result);
+  if (options.robust && Accidents{used, result.outliers}.areTooMany()) {
     CalibrationOptions all = options;
     all.robust = false;
     all.start = result.unknowns;
     return calibrate(measurements, model, all);
   }
   if (answer.explained) {
-    describe(*answer.explained, model, result);
+    fillExplanations(*answer.explained, model, result);
   }
-  assess(used, believed, result);
+  judgeResult(used, believed, result);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return result;
 }

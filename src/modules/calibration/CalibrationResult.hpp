@@ -20,7 +20,7 @@ struct CalibrationOptions {
   bool estimateNoise = true; // estimates joint noise from repeats, where present
   /// Tests for missing effects: noise levels from the widest model, offsets averaged over possible explanations, and
   /// the evidence. If false, noise levels assume a complete model.
-  bool question = true;
+  bool testMissingEffects = true;
   std::vector<Effect> effects = allEffects(); // candidates for missing effects
   Eigen::Index draws = 199;                   // bootstrap draws of pure noise for the p-value
   std::uint64_t drawSeed = 1;
@@ -121,7 +121,7 @@ struct CalibrationResult {
   double scatter = 0;                    // decrease of -2 ln likelihood from zero to the estimated pose noise
   std::vector<Explanation> explanations; // by decreasing weight; weights above 0.01
   std::vector<WeakDirection> weak;
-  std::vector<Outlier> doubts;
+  std::vector<Outlier> outliers;
   double floorErrorAt2m = 0; // 1-sigma error of a floor point 2 m ahead [m], times `sigmaScale`; 0 without floor boards
   int iterations = 0;
   int restartsTried = 0;

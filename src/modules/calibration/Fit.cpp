@@ -47,7 +47,7 @@ std::optional<FitMinimum> alternate(Residuals& residuals, Residuals::State state
     }
   }
   residuals.setFree(std::vector<bool>(residuals.model().unknownCount(), true));
-  minimum->linear = *residuals.linearise(minimum->state);
+  minimum->linear = *residuals.linearize(minimum->state);
   minimum->iterations = iterations;
   return minimum;
 }
@@ -120,7 +120,7 @@ std::optional<Fit> restart(const Measurements& measurements, const Model& model,
     return std::nullopt;
   }
   residuals.setFree(std::vector<bool>(model.unknownCount(), true));
-  auto linear = residuals.linearise(minimum->state);
+  auto linear = residuals.linearize(minimum->state);
   if (!linear) {
     return std::nullopt;
   }
@@ -182,7 +182,7 @@ Fit refit(const Measurements& measurements, const Model& model, const Noise& noi
   } else {
     // deflections are in units of their sigma, which has changed: one quadratic step at the same unknowns
     const Residuals quadratic{measurements, model, noise};
-    if (const auto linear = quadratic.linearise(start)) {
+    if (const auto linear = quadratic.linearize(start)) {
       start = quadratic.applyStep(start, *linear, Eigen::VectorXd::Zero(from.minimum.state.unknowns.size()));
     }
   }
@@ -218,15 +218,15 @@ Fit fitRobustly(const Measurements& measurements, const Model& model, const Nois
   return from;
 }
 
-bool hasLostWeight(const BoardResidual& observation) {
+bool isMostlyOutliers(const BoardResidual& observation) {
   return observation.weight.size() > 1 &&
          2 * (observation.weight.array() < trusted).count() > observation.weight.size();
 }
 
-Fit fitFully(const Measurements& measurements, const Model& model, Fit from) {
+Fit refitWithWideLoss(const Measurements& measurements, const Model& model, Fit from) {
   const Residuals residuals{measurements, model, from.noise, from.loss};
   const std::vector<BoardResidual> observations = residuals.boardResiduals(from.minimum.state);
-  if (std::none_of(observations.begin(), observations.end(), hasLostWeight)) {
+  if (std::none_of(observations.begin(), observations.end(), isMostlyOutliers)) {
     return from;
   }
   const double distance =
@@ -236,7 +236,7 @@ Fit fitFully(const Measurements& measurements, const Model& model, Fit from) {
   return std::isfinite(distance) ? refit(measurements, model, noise, farther, std::move(from)) : from;
 }
 
-Fit weighByMisfit(const Measurements& measurements, const Model& model, const Fit& from) {
+Fit refitWithMisfitNoise(const Measurements& measurements, const Model& model, const Fit& from) {
   constexpr int rounds = 2;
   constexpr double nearer = 0.9; // ratio of rms errors; above it the original weights stay
   Fit fit = from;

@@ -46,16 +46,16 @@ Fit fitRobustly(const Measurements& measurements, const Model& model, const Nois
 /// Loss weight below which a corner is an outlier: 4.5 sigma, 1 in 30 000 good corners.
 constexpr double trusted = 0.7;
 /// True if more than half of the observation's corners are outliers.
-bool hasLostWeight(const BoardResidual& observation);
+bool isMostlyOutliers(const BoardResidual& observation);
 
 /// Refit of a model that lacks an effect. If whole boards were downweighted, widens the loss to the 90 % quantile of
 /// the corner distances: these boards are valid, but predicted worst by the wrong model.
-Fit fitFully(const Measurements& measurements, const Model& model, Fit from);
+Fit refitWithWideLoss(const Measurements& measurements, const Model& model, Fit from);
 
 /// Refit of a model that lacks an effect other than joint noise: adds the misfit beyond the noise floor to the pixel
 /// noise, or keeps joints from scattering, whichever comes nearer to the pictures. Otherwise the fit deflects joints to
 /// follow relative positions of sharp corners and ends up to several times farther from the pictures than necessary.
 /// The result is stated at the noise of `from`; returns `from` unless the rms error falls by more than 10 %.
-Fit weighByMisfit(const Measurements& measurements, const Model& model, const Fit& from);
+Fit refitWithMisfitNoise(const Measurements& measurements, const Model& model, const Fit& from);
 
 } // namespace naocal

@@ -40,7 +40,7 @@ public:
     Eigen::VectorXd gradient;
     Eigen::MatrixXd hessian;
   };
-  bool linearise(const Eigen::VectorXd& unknowns, Linear& sums) const;
+  bool linearize(const Eigen::VectorXd& unknowns, Linear& sums) const;
   Eigen::VectorXd applyStep(const Eigen::VectorXd& unknowns, const Linear&, const Eigen::VectorXd& step) const {
     return unknowns + step;
   }
@@ -208,7 +208,7 @@ void BoardAlignment::add(const Seen& seen, const Eigen::VectorXd& unknowns, Line
   sums.hessian += weighted * jacobian;
 }
 
-bool BoardAlignment::linearise(const Eigen::VectorXd& unknowns, Linear& sums) const {
+bool BoardAlignment::linearize(const Eigen::VectorXd& unknowns, Linear& sums) const {
   const Eigen::VectorXd information = sigmas_.cwiseAbs2().cwiseInverse();
   sums = {0.5 * unknowns.cwiseAbs2().dot(information), information.cwiseProduct(unknowns), information.asDiagonal()};
   for (const Seen& seen : seen_) {

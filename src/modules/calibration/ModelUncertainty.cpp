@@ -35,7 +35,8 @@ bool isWide(const Eigen::ArrayXd& values, const Eigen::ArrayXd& variances) {
 
 } // namespace
 
-std::optional<Model> addPriors(const Model& model, const Eigen::VectorXd& unknowns, const Eigen::VectorXd& variances) {
+std::optional<Model> widenPriors(const Model& model, const Eigen::VectorXd& unknowns,
+                                 const Eigen::VectorXd& variances) {
   Model result;
   bool widened = false;
   for (Term term : model.terms()) {
@@ -192,7 +193,7 @@ public:
   WideModel wideAt(const Model& own, const std::vector<Term>& effects, const Fit& fit) const {
     return {measurements_, own, putInFront(effects, candidates_), pointOf(fit), true};
   }
-  void ask(const WideModel& wide, Explained& explained) const {
+  void ask(const WideModel& wide, MissingEffectAnalysis& explained) const {
     const Evidence evidence =
         computeEvidence(wide.problem(), explained.levels.noise, options_.draws, options_.drawSeed);
     explained.pValue = evidence.pValue;
@@ -201,7 +202,7 @@ public:
 
   /// One step: fits the effects of the window's likeliest explanation. Returns false if they equal those already fitted
   /// or the linear explanation is infeasible.
-  bool extend(const WideModel& wide, const Model& own, Explained& explained) const {
+  bool extend(const WideModel& wide, const Model& own, MissingEffectAnalysis& explained) const {
     const WindowModel& likeliest = explained.window.models.front();
     const std::vector<Term> effects = namedEffects(wide, likeliest);
     if (areSame(effects, explained.effects)) {
@@ -226,7 +227,7 @@ public:
   }
 
   /// Starts from the requested model, with user-added effects moved to the end, and its fit.
-  void startAt(const Model& model, const Fit& fit, Explained& explained) const {
+  void startAt(const Model& model, const Fit& fit, MissingEffectAnalysis& explained) const {
     explained.effects = added_;
     explained.larger = with(withWeighingOffsets(measurements_, base_, added_), added_);
     Fit from = fit;
@@ -252,10 +253,11 @@ private:
 
 } // namespace
 
-Explained explain(const Measurements& measurements, const Model& model, const Fit& fit, const Noise& noise,
-                  const std::optional<RepeatInfo>& repeats, const CalibrationOptions& options) {
+MissingEffectAnalysis analyseMissingEffects(const Measurements& measurements, const Model& model, const Fit& fit,
+                                            const Noise& noise, const std::optional<RepeatInfo>& repeats,
+                                            const CalibrationOptions& options) {
   const Search search{measurements, model, repeats, options};
-  Explained result{search.levelsAt(model, {}, fit, noise), fit, {}, model, fit, model, {}, {}};
+  MissingEffectAnalysis result{search.levelsAt(model, {}, fit, noise), fit, {}, model, fit, model, {}, {}};
   result.fit = result.largerFit = search.refineFully(model, result.levels.noise, fit);
   if (!search.added().empty()) {
     search.startAt(model, result.fit, result);
@@ -277,10 +279,11 @@ Explained explain(const Measurements& measurements, const Model& model, const Fi
     }
   }
   if (!areSame(result.effects, search.added())) { // an effect is missing, and the noise levels have changed
-    result.fit = fitFully(measurements, model, search.refineFully(model, result.levels.noise, std::move(result.fit)));
+    result.fit =
+        refitWithWideLoss(measurements, model, search.refineFully(model, result.levels.noise, std::move(result.fit)));
     const bool scatters = result.levels.noise.pose >= suspectScatter;
     if (!scatters && std::any_of(result.effects.begin(), result.effects.end(), std::not_fn(isOfJoint))) {
-      result.fit = weighByMisfit(measurements, model, result.fit);
+      result.fit = refitWithMisfitNoise(measurements, model, result.fit);
     }
     search.ask(search.wideAt(model, {}, result.fit), result);
   } else if (!search.added().empty()) {
@@ -292,7 +295,7 @@ Explained explain(const Measurements& measurements, const Model& model, const Fi
 namespace {
 
 /// The window's models by their effects, likeliest first. `added`: effects that were added to the base model.
-std::vector<Explanation> listExplanations(const Explained& explained, const std::vector<Term>& added) {
+std::vector<Explanation> listExplanations(const MissingEffectAnalysis& explained, const std::vector<Term>& added) {
   constexpr double worthNaming = 0.01;
   std::map<std::vector<std::size_t>, double> weights; // by groups, whatever their widths
   for (const WindowModel& one : explained.window.models) {
@@ -325,7 +328,7 @@ std::vector<Explanation> listExplanations(const Explained& explained, const std:
 
 } // namespace
 
-void describe(const Explained& explained, const Model& model, CalibrationResult& result) {
+void fillExplanations(const MissingEffectAnalysis& explained, const Model& model, CalibrationResult& result) {
   const ModelWindow& window = explained.window;
   const Eigen::VectorXd widening = computeLevelWidening(explained.fit.minimum.linear, model.sigmas(), explained.levels);
   for (const auto& [i, own] : sharedUnknowns(model, explained.own)) {

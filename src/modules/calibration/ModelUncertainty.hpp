@@ -17,10 +17,10 @@ namespace naocal {
 /// `plausibleWidths` if that raises the likelihood of the measurements. A prior that is too narrow would shrink the
 /// effect, and an alias would absorb the rest. Absent if no prior changes. `unknowns`, `variances`: of the fit, priors
 /// included.
-std::optional<Model> addPriors(const Model& model, const Eigen::VectorXd& unknowns, const Eigen::VectorXd& variances);
+std::optional<Model> widenPriors(const Model& model, const Eigen::VectorXd& unknowns, const Eigen::VectorXd& variances);
 
 /// The analysis of missing effects for a fitted model.
-struct Explained {
+struct MissingEffectAnalysis {
   NoiseLevels levels;             // estimated under the widest model
   Fit fit;                        // of the model as given, at `levels`
   std::vector<Term> effects;      // named effects of the likeliest explanation
@@ -37,10 +37,11 @@ struct Explained {
 /// explanation until it no longer changes, since a linearisation far from a large effect underestimates it. Effects
 /// that the user added to the base model compete with all others, so an alias may replace them.
 /// `repeats`: how poses were repeated; absent: joint noise levels stay as in `noise`.
-Explained explain(const Measurements& measurements, const Model& model, const Fit& fit, const Noise& noise,
-                  const std::optional<RepeatInfo>& repeats, const CalibrationOptions& options);
+MissingEffectAnalysis analyseMissingEffects(const Measurements& measurements, const Model& model, const Fit& fit,
+                                            const Noise& noise, const std::optional<RepeatInfo>& repeats,
+                                            const CalibrationOptions& options);
 
 /// Fills the result's averages, explanations, remaining misfit, scatter and p-value from the analysis.
-void describe(const Explained& explained, const Model& model, CalibrationResult& result);
+void fillExplanations(const MissingEffectAnalysis& explained, const Model& model, CalibrationResult& result);
 
 } // namespace naocal

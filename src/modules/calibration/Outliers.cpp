@@ -14,29 +14,29 @@ std::vector<Outlier> findOutliers(const Measurements& measurements, const Calibr
   std::vector<Outlier> all;
   for (const BoardResidual& seen : result.residuals) {
     const BoardObservation& observation = measurements.pictures[seen.picture].observations[seen.observation];
-    Outlier doubt{seen.picture, seen.observation, {}, false, 0};
+    Outlier outlier{seen.picture, seen.observation, {}, false, 0};
     double squares = 0;
     for (Eigen::Index i = 0; i < seen.weight.size(); ++i) {
       if (seen.weight[i] < trusted) {
-        doubt.corners.push_back(observation.ids[static_cast<std::size_t>(i)]);
+        outlier.corners.push_back(observation.ids[static_cast<std::size_t>(i)]);
         squares += seen.residual.col(i).squaredNorm();
       }
     }
-    if (!doubt.corners.empty()) {
-      doubt.distance = std::sqrt(squares / static_cast<double>(doubt.corners.size()));
-      doubt.whole = hasLostWeight(seen);
-      all.push_back(std::move(doubt));
+    if (!outlier.corners.empty()) {
+      outlier.distance = std::sqrt(squares / static_cast<double>(outlier.corners.size()));
+      outlier.whole = isMostlyOutliers(seen);
+      all.push_back(std::move(outlier));
     }
   }
   return all;
 }
 
-Accidents::Accidents(const Measurements& measurements, const std::vector<Outlier>& doubts) {
+Accidents::Accidents(const Measurements& measurements, const std::vector<Outlier>& outliers) {
   for (const ImageObservation& picture : measurements.pictures) {
     all += picture.observations.size();
   }
-  for (const Outlier& doubt : doubts) {
-    moved += doubt.whole ? 1 : 0;
+  for (const Outlier& outlier : outliers) {
+    moved += outlier.whole ? 1 : 0;
   }
 }
 

@@ -16,7 +16,7 @@ struct Accidents {
   std::size_t moved = 0, all = 0;
 
   Accidents() = default;
-  Accidents(const Measurements& measurements, const std::vector<Outlier>& doubts);
+  Accidents(const Measurements& measurements, const std::vector<Outlier>& outliers);
 
   bool any() const { return moved > 0; }
   /// More than 5 % of the observations: reported.

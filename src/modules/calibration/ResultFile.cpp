@@ -46,15 +46,15 @@ json pointsJson(const Eigen::Matrix2Xd& points) {
 
 json outliersJson(const Measurements& measurements, const CalibrationResult& result) {
   json list = json::array();
-  for (const Outlier& doubt : result.doubts) {
-    const ImageObservation& picture = measurements.pictures[doubt.picture];
+  for (const Outlier& outlier : result.outliers) {
+    const ImageObservation& picture = measurements.pictures[outlier.picture];
     const CaptureSet& set = measurements.setOf(picture);
     list.push_back({{"set", set.name},
                     {"capture", set.captures[picture.capture].id},
-                    {"board", measurements.targets[picture.observations[doubt.observation].view.board()].name},
-                    {"corners", doubt.corners},
-                    {"whole", doubt.whole},
-                    {"distancePx", doubt.distance}});
+                    {"board", measurements.targets[picture.observations[outlier.observation].view.board()].name},
+                    {"corners", outlier.corners},
+                    {"whole", outlier.whole},
+                    {"distancePx", outlier.distance}});
   }
   return list;
 }
@@ -112,8 +112,8 @@ Noise noiseFrom(const json& entry, const std::string& file) {
                     .pixelAlike = entry.value("pixelAlike", usual.pixelAlike)};
   if (!(noise.pixel > 0 && noise.encoder >= 0 && noise.pose >= 0 && noise.stance >= 0 && noise.reapproach >= 0 &&
         noise.pixelAlike >= 0)) {
-    throw InputError{fmt::format("{}: noise: expected a positive pixel and no negative numbers, found {}",
-                                 file, entry.dump())};
+    throw InputError{
+        fmt::format("{}: noise: expected a positive pixel and no negative numbers, found {}", file, entry.dump())};
   }
   return noise;
 }

@@ -42,8 +42,8 @@ std::string words(const Accidents& accidents) {
 double rmsWithoutMoved(const CalibrationResult& result) {
   std::vector<BoardResidual> kept = result.withReportedAngles;
   std::erase_if(kept, [&](const BoardResidual& board) {
-    return std::any_of(result.doubts.begin(), result.doubts.end(), [&](const Outlier& doubt) {
-      return doubt.whole && doubt.picture == board.picture && doubt.observation == board.observation;
+    return std::any_of(result.outliers.begin(), result.outliers.end(), [&](const Outlier& outlier) {
+      return outlier.whole && outlier.picture == board.picture && outlier.observation == board.observation;
     });
   });
   return summarizeDistances(collectDistances(kept)).rmsPx;
@@ -79,7 +79,7 @@ std::string formatVerdict(const CalibrationResult& result, const Accidents& acci
   return {};
 }
 
-void assess(const Measurements& measurements, const Model& model, CalibrationResult& result) {
+void judgeResult(const Measurements& measurements, const Model& model, CalibrationResult& result) {
   constexpr double largestFloorError = 0.05; // [m]
   using About = Warning::About;
   const auto warn = [&](About about, std::string sentence) { result.warnings.push_back({about, std::move(sentence)}); };
@@ -107,7 +107,7 @@ void assess(const Measurements& measurements, const Model& model, CalibrationRes
                                    1e3 * result.floorErrorAt2m, 1e3 * largestFloorError));
   }
   const bool missing = result.pValue <= threshold::alarm && result.matters;
-  const Accidents accidents{measurements, result.doubts};
+  const Accidents accidents{measurements, result.outliers};
   std::string cause = "no single cause stands out";
   if (missing && !result.explanations.empty() && !result.explanations.front().effects.empty()) {
     const Explanation& likeliest = result.explanations.front();
@@ -123,8 +123,8 @@ void assess(const Measurements& measurements, const Model& model, CalibrationRes
   result.usable = result.verdict != ResultVerdict::doNotUse;
   result.sentence = formatVerdict(result, accidents, cause, firm);
   std::size_t corners = 0;
-  for (const Outlier& doubt : result.doubts) {
-    corners += doubt.corners.size();
+  for (const Outlier& outlier : result.outliers) {
+    corners += outlier.corners.size();
   }
   if (corners > 0) {
     warn(About::fit, fmt::format("{} not fit the rest and got little or no weight: listed under doubtful",

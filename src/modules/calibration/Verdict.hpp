@@ -9,7 +9,7 @@ namespace naocal {
 
 /// Finds weak directions, predicts the error on the floor and judges the result. Fills `weak`, `floorErrorAt2m`,
 /// `warnings`, `verdict`, `usable` and `sentence`.
-void assess(const Measurements& measurements, const Model& model, CalibrationResult& result);
+void judgeResult(const Measurements& measurements, const Model& model, CalibrationResult& result);
 
 struct Accidents;
 

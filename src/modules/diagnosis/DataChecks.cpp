@@ -25,7 +25,7 @@ std::optional<double> estimateTerm(const Term& term, const Measurements& measure
   try {
     const Model model = buildModel(measurements, {term.label()});
     const std::size_t first = model.find(term.label())->first;
-    return calibrate(measurements, model, {.question = false}).unknowns[static_cast<Eigen::Index>(first)];
+    return calibrate(measurements, model, {.testMissingEffects = false}).unknowns[static_cast<Eigen::Index>(first)];
   } catch (const InputError&) {
     return std::nullopt;
   }
@@ -41,7 +41,8 @@ double rmsBesideLikeliest(const CandidateTests& candidateTests, const Measuremen
     try {
       Model larger = model;
       larger.add(term);
-      return calibrate(measurements, larger, {.estimateNoise = false, .question = false, .robust = false}).rmsPx;
+      return calibrate(measurements, larger, {.estimateNoise = false, .testMissingEffects = false, .robust = false})
+          .rmsPx;
     } catch (const InputError&) {
       break;
     }
@@ -134,16 +135,16 @@ std::vector<DataAnomaly> findTransientAnomalies(const FittedModel& fitted, const
 
 std::vector<DataAnomaly> findDisplacedBoards(const Measurements& measurements, const CalibrationResult& fit) {
   std::vector<DataAnomaly> result;
-  for (const Outlier& doubt : fit.doubts) {
-    if (doubt.whole) {
-      const ImageObservation& picture = measurements.pictures[doubt.picture];
+  for (const Outlier& outlier : fit.outliers) {
+    if (outlier.whole) {
+      const ImageObservation& picture = measurements.pictures[outlier.picture];
       const int id = measurements.captureOf(picture).id;
-      const std::string& board = measurements.targets[picture.observations[doubt.observation].view.board()].name;
+      const std::string& board = measurements.targets[picture.observations[outlier.observation].view.board()].name;
       result.push_back(
           {.capture = id,
            .why = fmt::format("board {} in capture {} lies {:.0f} px from where all other captures put it: "
                               "it or the robot was moved for a moment, or the picture is another one",
-                              board, id, doubt.distance),
+                              board, id, outlier.distance),
            .set = picture.set});
     }
   }

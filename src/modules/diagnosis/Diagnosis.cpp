@@ -85,7 +85,7 @@ Verdict verdictOf(const Diagnosis& diagnosis, double misfitLeft, bool missing, b
 }
 
 /// Appends anomalies of captures without an earlier anomaly.
-void addNew(const std::vector<DataAnomaly>& further, std::vector<DataAnomaly>& suspicious) {
+void appendNewAnomalies(const std::vector<DataAnomaly>& further, std::vector<DataAnomaly>& suspicious) {
   const std::vector<DataAnomaly> before = suspicious;
   std::copy_if(further.begin(), further.end(), std::back_inserter(suspicious), [&](const DataAnomaly& one) {
     return std::none_of(before.begin(), before.end(),
@@ -94,7 +94,7 @@ void addNew(const std::vector<DataAnomaly>& further, std::vector<DataAnomaly>& s
 }
 
 /// Diagnosis of captures without a feasible fit.
-Diagnosis withoutFit(const Measurements& measurements, const InputError& error) {
+Diagnosis diagnoseUnfittable(const Measurements& measurements, const InputError& error) {
   Diagnosis result;
   result.verdict = Verdict::badCaptures;
   const auto setUp = findSetupError(measurements, {}, [](std::size_t) { return true; });
@@ -105,10 +105,10 @@ Diagnosis withoutFit(const Measurements& measurements, const InputError& error) 
 
 /// Main loop: tests the model and adds missing effects until the alarm stops; then takes back additions that do not
 /// hold, and describes what is left.
-Diagnosis questionModel(const Measurements& measurements, const Model& asked, const DiagnosisOptions& options) {
+Diagnosis diagnoseModel(const Measurements& measurements, const Model& asked, const DiagnosisOptions& options) {
   Diagnosis result;
-  StepwiseSelection ladder{measurements, asked, options};
-  result.fit = ladder.fit();
+  StepwiseSelection selection{measurements, asked, options};
+  result.fit = selection.fit();
   result.rmsPx = result.fit.rmsPx;
   bool unknown = false;
   double most = 0;                    // largest evidence of a field within pictures so far
@@ -117,10 +117,10 @@ Diagnosis questionModel(const Measurements& measurements, const Model& asked, co
     if (allTests.size() > 1) {
       allTests.pop_back();
     }
-    const FittedModel fitted{measurements, ladder.model(), ladder.fit()};
+    const FittedModel fitted{measurements, selection.model(), selection.fit()};
     const CandidateTests& candidateTests =
-        allTests.emplace_back(fitted, ladder.testableTerms(), options.candidateTests);
-    ladder.recordStep(candidateTests, result);
+        allTests.emplace_back(fitted, selection.testableTerms(), options.candidateTests);
+    selection.recordStep(candidateTests, result);
     if (result.steps.size() == 1) {
       result.anomalies = findAnomalies(fitted, candidateTests);
       result.alarm = candidateTests.evidence().pValue;
@@ -131,17 +131,17 @@ Diagnosis questionModel(const Measurements& measurements, const Model& asked, co
     const double level = result.suggested.empty() ? options.alarm : threshold::laterAlarm * options.alarm;
     const bool striking = candidateTests.evidence().pValue <= level && candidateTests.evidence().matters;
     const bool alarm = (striking || field) && result.anomalies.empty();
-    const std::optional<StepwiseSelection::Choice> next = alarm ? ladder.chooseNext(candidateTests) : std::nullopt;
+    const std::optional<StepwiseSelection::Choice> next = alarm ? selection.chooseNext(candidateTests) : std::nullopt;
     const std::optional<std::size_t> candidate = next ? std::optional{next->candidate} : std::nullopt;
     if (alarm && candidateTests.curveCount() > 0) {
       unknown = isUnknown(candidateTests, candidate);
     }
-    const bool unknownField =
-        alarm && field && !explains(candidateTests, candidate, *field) && ladder.fieldPersists(*field, candidateTests);
+    const bool unknownField = alarm && field && !explains(candidateTests, candidate, *field) &&
+                              selection.fieldPersists(*field, candidateTests);
     unknown = unknown || unknownField;
     const bool grows = options.extend && (!options.shouldContinue || options.shouldContinue());
-    if (!grows || !alarm || unknown || !candidate || !ladder.add(candidateTests, *next, result)) {
-      if (ladder.takeBack(result)) {
+    if (!grows || !alarm || unknown || !candidate || !selection.add(candidateTests, *next, result)) {
+      if (selection.removeLastAdditions(result)) {
         unknown = false;
         continue;
       }
@@ -151,22 +151,24 @@ Diagnosis questionModel(const Measurements& measurements, const Model& asked, co
       if (unknownField) {
         result.driverCurves.insert(result.driverCurves.begin(), curveFromField(*field, measurements));
       }
-      result.scatter = ladder.fit().noise.pose;
+      result.scatter = selection.fit().noise.pose;
       const bool lasting = !result.anomalies.empty() && !result.anomalies.front().capture; // then all seem displaced
       if (!unknown && !lasting && (result.suggested.empty() || !striking)) {
-        addNew(findDisplacedBoards(measurements, ladder.refitWithoutDisplacedBoards()), result.anomalies);
+        appendNewAnomalies(findDisplacedBoards(measurements, selection.refitWithoutDisplacedBoards()),
+                           result.anomalies);
       }
       const bool missing = !result.suggested.empty() || (!grows && candidate);
       result.unexplained = alarm && !candidate && !unknown && !missing;
-      result.verdict = verdictOf(result, ladder.fit().misfit, missing, unknown);
-      result.with = ladder.added();
+      result.verdict = verdictOf(result, selection.fit().misfit, missing, unknown);
+      result.with = selection.added();
       if (unknown && !unknownField && grows) {
-        result.own = fitOwnEffect(result.driverCurves.front(), measurements, ladder, result, options.candidateTests);
+        result.own = fitOwnEffect(result.driverCurves.front(), measurements, selection, result, options.candidateTests);
       }
       const std::vector<std::string> leading = result.suggested.empty() && candidate
                                                    ? std::vector{candidateTests.candidates()[*candidate].label()}
                                                    : result.suggested;
-      result.ranking = judgeCandidates(ladder.findings(), candidateTests, ladder.model(), ladder.fit(), leading);
+      result.ranking =
+          judgeCandidates(selection.findings(), candidateTests, selection.model(), selection.fit(), leading);
       if (result.own) {
         result.suggested.push_back(result.own->label);
         result.steps.push_back(result.own->step);
@@ -174,9 +176,9 @@ Diagnosis questionModel(const Measurements& measurements, const Model& asked, co
       break;
     }
   }
-  result.lastFit = ladder.fit();
+  result.lastFit = selection.fit();
   assembleFigures({{measurements, asked, result.fit}, allTests.front()},
-                  {{measurements, ladder.model(), result.lastFit}, allTests.back()}, result);
+                  {{measurements, selection.model(), result.lastFit}, allTests.back()}, result);
   result.sentence = summarize(result);
   return result;
 }
@@ -203,7 +205,7 @@ Measurements excludeSuspicious(const std::vector<DataAnomaly>& suspicious, Measu
 
 /// Copies each candidate's evidence against the model as given from `all`, the diagnosis of all captures, into `left`,
 /// the diagnosis without spoiled ones.
-void takeLoneEvidence(const std::vector<CandidateFinding>& all, std::vector<CandidateFinding>& left) {
+void copyLoneEvidence(const std::vector<CandidateFinding>& all, std::vector<CandidateFinding>& left) {
   for (CandidateFinding& finding : left) {
     const auto same = std::find_if(all.begin(), all.end(), [&](const CandidateFinding& other) {
       return other.term.label() == finding.term.label();
@@ -216,21 +218,21 @@ void takeLoneEvidence(const std::vector<CandidateFinding>& all, std::vector<Cand
 }
 
 /// Repeats the diagnosis without captures spoiled by an accident, to find other missing effects.
-Diagnosis questionWithoutSpoiled(const Measurements& measurements, const Model& asked,
+Diagnosis diagnoseWithoutSpoiled(const Measurements& measurements, const Model& asked,
                                  const DiagnosisOptions& options) {
   constexpr int most = 4; // accidents
-  Diagnosis result = questionModel(measurements, asked, options);
+  Diagnosis result = diagnoseModel(measurements, asked, options);
   std::ptrdiff_t known = 0; // suspicions
   for (int round = 0; options.extend && round < most; ++round) {
     if (std::none_of(result.anomalies.begin() + known, result.anomalies.end(), isSpoiled)) {
       break;
     }
     known = std::ssize(result.anomalies);
-    Diagnosis next = questionModel(excludeSuspicious(result.anomalies, measurements), asked, options);
-    addNew(next.anomalies, result.anomalies);
+    Diagnosis next = diagnoseModel(excludeSuspicious(result.anomalies, measurements), asked, options);
+    appendNewAnomalies(next.anomalies, result.anomalies);
     next.anomalies = result.anomalies;
     next.alarm = result.alarm;
-    takeLoneEvidence(result.ranking, next.ranking);
+    copyLoneEvidence(result.ranking, next.ranking);
     next.verdict = Verdict::badCaptures;
     next.sentence = summarize(next);
     result = std::move(next);
@@ -245,12 +247,12 @@ Diagnosis diagnose(const Measurements& measurements, const DiagnosisOptions& opt
   const Model asked = buildModel(measurements, options.with, options.without, options.effects);
   Diagnosis result;
   try {
-    result = questionWithoutSpoiled(measurements, asked, options);
+    result = diagnoseWithoutSpoiled(measurements, asked, options);
   } catch (const InputError& error) {
     if (measurements.cornerCount == 0) {
       throw;
     }
-    result = withoutFit(measurements, error);
+    result = diagnoseUnfittable(measurements, error);
   }
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return result;

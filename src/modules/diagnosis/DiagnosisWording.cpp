@@ -158,8 +158,9 @@ std::string formatAmplitude(const DriverCurve& curve) {
 
 bool isTold(const CandidateFinding& finding, std::size_t unknown) {
   const auto row = static_cast<Eigen::Index>(unknown);
-  return finding.evidence.estimate.size() > row && std::sqrt(finding.evidence.covariance(row, row)) <
-                                                       threshold::untold * finding.term.effect.unknowns[unknown].sigma;
+  return finding.evidence.estimate.size() > row &&
+         std::sqrt(finding.evidence.covariance(row, row)) <
+             threshold::undetermined * finding.term.effect.unknowns[unknown].sigma;
 }
 
 std::string formatSizes(const CandidateFinding& finding) {

@@ -217,7 +217,7 @@ std::optional<CalibrationResult> calibrateWithAllCorners(const FittedModel& fitt
   CalibrationOptions options;
   options.noise = fitted.fit.noise;
   options.start = fitted.fit.unknowns;
-  options.estimateNoise = options.question = options.robust = options.excludeDisplaced = false;
+  options.estimateNoise = options.testMissingEffects = options.robust = options.excludeDisplaced = false;
   try {
     return calibrate(fitted.measurements, fitted.model, options);
   } catch (const InputError&) {
@@ -258,7 +258,7 @@ std::optional<LikelyEvent> findLikeliestAt(const FittedModel& fitted, const Cand
 } // namespace
 
 std::optional<LikelyEvent> findLikeliestEvent(const FittedModel& fitted, const CandidateTests& candidateTests) {
-  if (std::none_of(fitted.fit.doubts.begin(), fitted.fit.doubts.end(), std::mem_fn(&Outlier::whole))) {
+  if (std::none_of(fitted.fit.outliers.begin(), fitted.fit.outliers.end(), std::mem_fn(&Outlier::whole))) {
     return findLikeliestAt(fitted, candidateTests);
   }
   const std::optional<CalibrationResult> all = calibrateWithAllCorners(fitted);

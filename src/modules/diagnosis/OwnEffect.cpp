@@ -24,7 +24,7 @@ nlohmann::json curveAsUserEffect(const DriverCurve& curve) {
 }
 
 std::optional<OwnEffect> fitOwnEffect(const DriverCurve& curve, const Measurements& measurements,
-                                      const StepwiseSelection& ladder, const Diagnosis& diagnosis,
+                                      const StepwiseSelection& selection, const Diagnosis& diagnosis,
                                       const CandidateTestOptions& options) {
   const bool passes = curve.driver == "t" || curve.driver == "T"; // transient: explains, but does not predict
   if (curve.coefficients.empty() || passes) {
@@ -36,15 +36,15 @@ std::optional<OwnEffect> fitOwnEffect(const DriverCurve& curve, const Measuremen
   if (terms.empty()) {
     return std::nullopt;
   }
-  const CandidateTests asked{{measurements, ladder.model(), ladder.fit()}, terms, {.draws = 0, .map = false}};
-  const std::optional<CrossValidation> held = crossValidate(asked, ladder.model(), diagnosis.suggested, {{0}});
+  const CandidateTests asked{{measurements, selection.model(), selection.fit()}, terms, {.draws = 0, .map = false}};
+  const std::optional<CrossValidation> held = crossValidate(asked, selection.model(), diagnosis.suggested, {{0}});
   if (!held || held->afterPx.front() >= held->beforePx) {
     return std::nullopt;
   }
-  Model larger = withWeighingOffsets(measurements, ladder.model(), terms);
+  Model larger = withWeighingOffsets(measurements, selection.model(), terms);
   larger.add(terms.front());
-  const CalibrationResult fit = ladder.fitLarger(larger);
-  std::vector<Term> left = ladder.testableTerms();
+  const CalibrationResult fit = selection.fitLarger(larger);
+  std::vector<Term> left = selection.testableTerms();
   const CandidateTests after{{measurements, larger, fit}, left, options};
   OwnEffect own{.label = terms.front().label(), .definition = definition.dump()};
   own.step.added = own.label;

@@ -13,7 +13,7 @@ nlohmann::json curveAsUserEffect(const DriverCurve& curve);
 
 /// The curve as an effect to add, if it has an expression that lowers the held-out error.
 std::optional<OwnEffect> fitOwnEffect(const DriverCurve& curve, const Measurements& measurements,
-                                      const StepwiseSelection& ladder, const Diagnosis& diagnosis,
+                                      const StepwiseSelection& selection, const Diagnosis& diagnosis,
                                       const CandidateTestOptions& options);
 
 } // namespace naocal

@@ -30,7 +30,7 @@ std::optional<double> computeMisfit(std::vector<CaptureSet> sets, const Measurem
   try {
     const Measurements measurements = buildMeasurements(std::move(sets), asTheyAre.robot, asTheyAre.samePlace);
     CalibrationOptions options;
-    options.estimateNoise = options.question = false;
+    options.estimateNoise = options.testMissingEffects = false;
     options.robust = false;
     return calibrate(measurements, buildModel(measurements), options).rmsPx;
   } catch (const InputError&) {
@@ -220,8 +220,8 @@ std::optional<DataAnomaly> findSetupError(const Measurements& measurements, cons
   }
   const std::vector<CaptureSet>& sets = *measurements.sets;
   std::optional<DataAnomaly> best;
-  double least = std::min(
-      {threshold::mends * std::min(misfit.rmsPx, threshold::impossiblePx), threshold::soundPx, misfit.explainedPx});
+  double least = std::min({threshold::correctionShare * std::min(misfit.rmsPx, threshold::impossiblePx),
+                           threshold::soundPx, misfit.explainedPx});
   const auto consider = [&](std::vector<CaptureSet> corrected, const std::string& why) {
     if (const auto left = computeMisfit(std::move(corrected), measurements); left && *left < least) {
       least = *left;
@@ -240,7 +240,7 @@ std::optional<DataAnomaly> findSetupError(const Measurements& measurements, cons
   if (!best && misfit.rmsPx > threshold::impossiblePx) {
     best = findMovedFar(measurements, least);
   }
-  if (!best && misfit.rmsPx > threshold::nonsensePx && misfit.farShare > some && std::isfinite(misfit.rmsPx)) {
+  if (!best && misfit.rmsPx > threshold::absurdPx && misfit.farShare > some && std::isfinite(misfit.rmsPx)) {
     best = DataAnomaly{{},
                        fmt::format("predictions are {:.0f} px off and no robot is so wrong: a board of another pattern "
                                    "(legacyPattern), other boards or another robot than the file says",

@@ -162,15 +162,15 @@ CalibrationResult StepwiseSelection::calibrateFrom(const Model& model, std::opti
   options.excludeDisplaced = false;
   if (levels_) {
     options.noise = *levels_;
-    options.estimateNoise = options.question = false;
-    if (std::none_of(fit_.doubts.begin(), fit_.doubts.end(), std::mem_fn(&Outlier::whole))) {
+    options.estimateNoise = options.testMissingEffects = false;
+    if (std::none_of(fit_.outliers.begin(), fit_.outliers.end(), std::mem_fn(&Outlier::whole))) {
       options.loss = fit_.loss; // otherwise downweighted boards first regain their weight
     }
   }
   CalibrationResult result = calibrateOrHold(measurements_, model, options);
   std::size_t doubted = 0, elsewhere = 0;
-  for (const Outlier& doubt : result.doubts) {
-    (doubt.whole && doubt.distance > threshold::impossiblePx ? elsewhere : doubted) += doubt.corners.size();
+  for (const Outlier& outlier : result.outliers) {
+    (outlier.whole && outlier.distance > threshold::impossiblePx ? elsewhere : doubted) += outlier.corners.size();
   }
   const auto many = [&](std::size_t corners) {
     return static_cast<double>(corners) > threshold::manyCorners * static_cast<double>(measurements_.cornerCount);
@@ -312,7 +312,7 @@ Model StepwiseSelection::addSizedTerm(const CandidateTests& candidateTests, std:
                   variances = mapParameters(model_, fit_.covariance.diagonal(), model);
   expected.segment(eigenIndex(term->first), posterior.size()) = posterior * information * evidence.estimate.array();
   variances.segment(eigenIndex(term->first), posterior.size()) = posterior;
-  return addPriors(model, expected, variances).value_or(model);
+  return widenPriors(model, expected, variances).value_or(model);
 }
 
 bool StepwiseSelection::predictsFurtherPoses(const CandidateTests& candidateTests, std::size_t candidate) const {
@@ -482,7 +482,7 @@ bool StepwiseSelection::add(const CandidateTests& candidateTests, const Choice& 
   return true;
 }
 
-bool StepwiseSelection::takeBack(Diagnosis& diagnosis) {
+bool StepwiseSelection::removeLastAdditions(Diagnosis& diagnosis) {
   if (!before_) {
     return false;
   }

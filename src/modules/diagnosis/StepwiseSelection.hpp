@@ -44,7 +44,7 @@ public:
   bool add(const CandidateTests& candidateTests, const Choice& choice, Diagnosis& diagnosis);
   /// Final check: removes the effects added since one that only helps in combination, unless together they lowered the
   /// held-out error. False: nothing to remove.
-  bool takeBack(Diagnosis& diagnosis);
+  bool removeLastAdditions(Diagnosis& diagnosis);
   /// Whether a field within pictures keeps at least half of its evidence, whichever of the likeliest effects is added.
   bool fieldPersists(const ImageField& field, const CandidateTests& candidateTests) const;
   /// Refits the model with displaced boards excluded; its outliers name them.

@@ -89,8 +89,8 @@ void ImageNormalEquations::clear(std::size_t extras) {
 }
 
 void ImageNormalEquations::add(const CornerBlocks& corners, const ProjectedBlocks& projected,
-                               const std::vector<ExtraRow>& extraRows, double pixelNoise, const SightingWeight& weight,
-                               const Loss& loss) {
+                               const std::vector<ExtraRow>& extraRows, double pixelNoise,
+                               const ObservationWeight& weight, const Loss& loss) {
   const double share = weight.share, freedom = weight.freedom();
   const double information = share / (pixelNoise * pixelNoise);
   const std::size_t blocks = corners.size();

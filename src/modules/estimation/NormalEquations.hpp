@@ -17,7 +17,7 @@ struct ExtraRow {
 };
 
 /// Weight of an observation's corners (`cornerShare`), given `repeats` pictures of one rest.
-struct SightingWeight {
+struct ObservationWeight {
   double share = 1;
   std::size_t repeats = 1;
   /// Expectation of share |r|^2 / pixel^2 per scalar measurement: the mean over repeats has variance pixel^2 / share /
@@ -39,7 +39,7 @@ public:
 
   /// Adds the corners of an observation. `extraRows`: ordered by extra, then by block.
   void add(const CornerBlocks& corners, const ProjectedBlocks& projected, const std::vector<ExtraRow>& extraRows,
-           double pixelNoise, const SightingWeight& weight, const Loss& loss);
+           double pixelNoise, const ObservationWeight& weight, const Loss& loss);
 
   Square gram() const;                             // sum of w L^T L, 6 + extras
   Column gradient() const;                         // sum of w L^T r, r = predicted - measured

@@ -227,7 +227,7 @@ PosePart Residuals::listColumns(const PoseGroup& pose) {
 namespace {
 
 /// Splits a pose's normal equations into blocks, re-expressed at zero deflection.
-void takeSums(const NormalEquations& sums, const Eigen::VectorXd& deflections, PoseSystem& system) {
+void splitNormalEquations(const NormalEquations& sums, const Eigen::VectorXd& deflections, PoseSystem& system) {
   const Eigen::Index unknowns = eigenIndex(system.unknowns.size()), joints = deflections.size();
   const Eigen::MatrixXd& gram = sums.gram();
   system.unknownGram = gram.topLeftCorner(unknowns, unknowns);
@@ -245,7 +245,7 @@ void takeSums(const NormalEquations& sums, const Eigen::VectorXd& deflections, P
 }
 
 /// Minimising deflections of a pose in the linearised problem, with its unknowns moved by `along`.
-Eigen::VectorXd restingDeflections(const MarginalSystem& part, const Eigen::VectorXd& along = {}) {
+Eigen::VectorXd minimizingDeflections(const MarginalSystem& part, const Eigen::VectorXd& along = {}) {
   Eigen::VectorXd result = -part.half.rightCols<1>();
   result.noalias() -= part.half.leftCols(along.size()) * along;
   part.inner.matrixU().solveInPlace(result);
@@ -359,7 +359,7 @@ bool Residuals::addPose(std::size_t pose, const State& state, const Eigen::Vecto
 }
 
 /// Sums a pose at these deflections and marginalises them. False if a corner has no projection.
-bool Residuals::lineariseAt(std::size_t pose, const State& state, const Eigen::VectorXd& inSigmas, PoseSystem& system,
+bool Residuals::linearizeAt(std::size_t pose, const State& state, const Eigen::VectorXd& inSigmas, PoseSystem& system,
                             MarginalSystem& part) const {
   Workspace& work = Workspace::threadWorkspace(measurements_);
   const Eigen::VectorXd deflections = roots_[pose] * inSigmas;
@@ -368,7 +368,7 @@ bool Residuals::lineariseAt(std::size_t pose, const State& state, const Eigen::V
   if (!addPose(pose, state, deflections, work, system)) {
     return false;
   }
-  takeSums(work.sums, deflections, system);
+  splitNormalEquations(work.sums, deflections, system);
   marginalize(system, noise_, roots_[pose], part);
   return true;
 }
@@ -379,14 +379,14 @@ void Residuals::settleDeflections(std::size_t pose, State& state, PoseSystem& sy
   constexpr double little = 1e-4; // cost decrease per step
   Eigen::VectorXd& here = state.deflections[pose];
   for (int step = 0; step < most; ++step) {
-    Eigen::VectorXd there = restingDeflections(part);
+    Eigen::VectorXd there = minimizingDeflections(part);
     const double gained = 0.5 * (part.inner.matrixU() * (there - here)).squaredNorm();
     if (!(gained > little)) {
       return;
     }
     PoseSystem onward{columns_[pose], {}, {}, {}, {}, {}};
     MarginalSystem onwardPart;
-    if (!lineariseAt(pose, state, there, onward, onwardPart) ||
+    if (!linearizeAt(pose, state, there, onward, onwardPart) ||
         !(onward.loss + there.squaredNorm() < system.loss + here.squaredNorm())) {
       return;
     }
@@ -433,7 +433,7 @@ template <class AtPose> bool Residuals::linearisePoses(Linear& result, const AtP
 }
 
 /// Sums the poses in order, and adds the priors.
-void Residuals::addUp(const State& state, Linear& result) const {
+void Residuals::sumPoses(const State& state, Linear& result) const {
   const Eigen::VectorXd inPrior = state.unknowns.cwiseQuotient(sigmas_);
   result.cost = 0.5 * inPrior.squaredNorm();
   result.gradient = inPrior.cwiseQuotient(sigmas_);
@@ -455,21 +455,21 @@ void Residuals::addUp(const State& state, Linear& result) const {
   }
 }
 
-std::optional<Residuals::Linear> Residuals::linearise(const State& state) const {
+std::optional<Residuals::Linear> Residuals::linearize(const State& state) const {
   std::optional<Linear> result{std::in_place};
   const bool possible = linearisePoses(*result, [&](std::size_t pose, PoseSystem& system, MarginalSystem& part) {
-    return lineariseAt(pose, state, state.deflections[pose], system, part);
+    return linearizeAt(pose, state, state.deflections[pose], system, part);
   });
   if (!possible) {
     return std::nullopt;
   }
-  addUp(state, *result);
+  sumPoses(state, *result);
   return result;
 }
 
-bool Residuals::linearise(State& state, Linear& result) const {
+bool Residuals::linearize(State& state, Linear& result) const {
   const bool possible = linearisePoses(result, [&](std::size_t pose, PoseSystem& system, MarginalSystem& part) {
-    if (!lineariseAt(pose, state, state.deflections[pose], system, part)) {
+    if (!linearizeAt(pose, state, state.deflections[pose], system, part)) {
       return false;
     }
     if (!columns_[pose].joints.empty()) {
@@ -478,7 +478,7 @@ bool Residuals::linearise(State& state, Linear& result) const {
     return true;
   });
   if (possible) {
-    addUp(state, result);
+    sumPoses(state, result);
   }
   return possible;
 }
@@ -495,7 +495,7 @@ Residuals::State Residuals::applyStep(const State& state, const Linear& linear, 
     for (std::size_t i = 0; i < columns_[pose].unknowns.size(); ++i) {
       along[eigenIndex(i)] = step[eigenIndex(columns_[pose].unknowns[i])];
     }
-    result.deflections.push_back(restingDeflections(part, along));
+    result.deflections.push_back(minimizingDeflections(part, along));
   }
   return result;
 }
@@ -563,7 +563,7 @@ std::vector<BoardResidual> Residuals::boardResiduals(const State& state) const {
         predictImageState(picture, prepared_[index], state.unknowns, deflections, work);
         forwardKinematics(measurements_.robot, work.modelState, prepared_[index].links, work.torsoFromLink);
         for (std::size_t i = 0; i < picture.observations.size(); ++i) {
-          result.push_back(sightingResidual(index, i, work));
+          result.push_back(boardResidual(index, i, work));
         }
       }
     }
@@ -572,7 +572,7 @@ std::vector<BoardResidual> Residuals::boardResiduals(const State& state) const {
 }
 
 /// Residuals of one board in one picture, at the workspace's state; not finite if a corner has no projection.
-BoardResidual Residuals::sightingResidual(std::size_t picture, std::size_t index, Workspace& work) const {
+BoardResidual Residuals::boardResidual(std::size_t picture, std::size_t index, Workspace& work) const {
   const BoardObservation& observation = measurements_.pictures[picture].observations[index];
   CameraFrames attitude = observation.view.cameraFrames(measurements_.robot, work.modelState, work.torsoFromLink);
   if (work.modelState.rowTime() != 0) {

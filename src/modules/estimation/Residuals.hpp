@@ -56,12 +56,12 @@ public:
   /// State with zero deflections.
   State startState(const Eigen::VectorXd& unknowns) const;
   /// Absent if the state is infeasible (a corner without projection). Poses run in parallel and are summed in order.
-  std::optional<Linear> linearise(const State& state) const;
+  std::optional<Linear> linearize(const State& state) const;
   /// As above, with deflections optimised at the state's unknowns (variable projection: Golub and Pereyra, Inverse
   /// Problems 19 (2003) R1), so that the cost depends on the unknowns alone: where corners lose weight, the gradient
   /// with respect to the unknowns ignores what deflections would still gain. False if the state is infeasible. `result`
   /// must be empty or filled by an earlier call; its memory is reused.
-  bool linearise(State& state, Linear& result) const;
+  bool linearize(State& state, Linear& result) const;
   /// The same as rows, for models with many unknowns. Absent if the state is infeasible.
   std::optional<std::vector<PoseRows>> rows(const State& state) const;
   /// State after a step of the unknowns, with deflections at their minimum according to `linear`.
@@ -82,11 +82,11 @@ public:
 
 private:
   struct Workspace;
-  bool lineariseAt(std::size_t pose, const State& state, const Eigen::VectorXd& inSigmas, PoseSystem& system,
+  bool linearizeAt(std::size_t pose, const State& state, const Eigen::VectorXd& inSigmas, PoseSystem& system,
                    MarginalSystem& part) const;
   void settleDeflections(std::size_t pose, State& state, PoseSystem& system, MarginalSystem& part) const;
   template <class AtPose> bool linearisePoses(Linear& result, const AtPose& atPose) const;
-  void addUp(const State& state, Linear& result) const;
+  void sumPoses(const State& state, Linear& result) const;
   bool addPose(std::size_t pose, const State& state, const Eigen::VectorXd& deflections, Workspace& work,
                PosePart& part) const;
   PosePart listColumns(const PoseGroup& pose);
@@ -102,7 +102,7 @@ private:
                      PosePart& part) const;
   bool addGroup(const ImageObservation& picture, const PreparedImage::Group& group, Workspace& work,
                 PosePart& part) const;
-  BoardResidual sightingResidual(std::size_t picture, std::size_t index, Workspace& work) const;
+  BoardResidual boardResidual(std::size_t picture, std::size_t index, Workspace& work) const;
   bool addMotion(const BoardObservation& observation, const PreparedImage::Group& group, Workspace& work,
                  BoardMotionSums& motion) const;
 

@@ -104,7 +104,7 @@ std::vector<Prospect> prospects(const ThesisExperiment& stage, const Model& mode
     stage.simulate(offsets, exact, 0, chance, taken);
     const Residuals residuals{taken, model, noise};
     const auto linear =
-        residuals.linearise(residuals.startState(offsets)).value(); // visible corners are in front of the camera
+        residuals.linearize(residuals.startState(offsets)).value(); // visible corners are in front of the camera
     for (std::size_t pose = 0; pose < result.size(); ++pose) {
       PoseInformation told = marginalInformation(linear.poses[pose], noise);
       told.hessian /= robots;

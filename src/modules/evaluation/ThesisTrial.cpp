@@ -24,7 +24,7 @@ public:
     Eigen::VectorXd gradient;
     Eigen::MatrixXd hessian;
   };
-  bool linearise(const Residuals::State& state, Linear& result) const;
+  bool linearize(const Residuals::State& state, Linear& result) const;
   Residuals::State applyStep(const Residuals::State& state, const Linear&, const Eigen::VectorXd& step) const {
     return residuals_.startState(state.unknowns + step);
   }
@@ -93,7 +93,7 @@ std::optional<Eigen::VectorXd> NumericPixelProblem::pixels(const Eigen::VectorXd
   return result.allFinite() ? std::optional{result} : std::nullopt;
 }
 
-bool NumericPixelProblem::linearise(const Residuals::State& state, Linear& result) const {
+bool NumericPixelProblem::linearize(const Residuals::State& state, Linear& result) const {
   constexpr double step = 1e-5; // [rad]
   const auto here = pixels(state.unknowns);
   if (!here) {
@@ -173,7 +173,7 @@ ThesisSearchResult ThesisSearch::solveOurs() {
 ThesisSearchResult ThesisSearch::byCostsOnly(ThesisSolver solver) {
   constexpr std::size_t swarmCalls = 40'000, dlibCalls = 500;
   const CostFunction cost = [this](const Eigen::VectorXd& unknowns) {
-    const auto there = pixels_.linearise(pixels_.startState(unknowns));
+    const auto there = pixels_.linearize(pixels_.startState(unknowns));
     return there ? there->cost : std::numeric_limits<double>::infinity();
   };
   ThesisSearchResult result{
@@ -261,7 +261,7 @@ void ThesisTrial::draw(std::uint64_t seed, std::size_t number) {
     flat_.emplace(taken_, plainModel_, noise_);
   }
   // visible corners are in front of the camera
-  const auto atTruth = pixels_->linearise(pixels_->startState(truth_)).value();
+  const auto atTruth = pixels_->linearize(pixels_->startState(truth_)).value();
   numbers_ = numbersOf(atTruth);
   rmsAtTruth_ = std::sqrt(2 * atTruth.cost / numbers_);
   starts_.emplace(seed, set + ", starts");
@@ -272,7 +272,7 @@ ThesisSolution ThesisTrial::solve(ThesisSolver solver) {
   const ThesisSearchResult found =
       ThesisSearch{*pixels_, *whitened_, flat_ ? &*flat_ : nullptr, stage_.joints().size(), numbers_, *starts_}.solve(
           solver);
-  const auto there = found.ended ? pixels_->linearise(pixels_->startState(found.unknowns)) : std::nullopt;
+  const auto there = found.ended ? pixels_->linearize(pixels_->startState(found.unknowns)) : std::nullopt;
   if (!there) {
     return {};
   }
@@ -284,7 +284,7 @@ std::vector<double> ThesisTrial::drawLimitErrors(std::size_t draws) {
   if (setting_.noise == ThesisNoise::none) {
     return result;
   }
-  const Eigen::LLT<Eigen::MatrixXd> root{whitened_->linearise(whitened_->startState(truth_)).value().hessian};
+  const Eigen::LLT<Eigen::MatrixXd> root{whitened_->linearize(whitened_->startState(truth_)).value().hessian};
   for (double& largest : result) {
     Eigen::VectorXd error{truth_.size()};
     for (double& number : error) {

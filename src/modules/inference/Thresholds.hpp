@@ -47,14 +47,15 @@ inline constexpr double implausible = 3;      // size of an effect in prior sigm
 inline constexpr double negligiblePx =
     0.1; // [px]; a tenth of a millimetre at arm's length, the accuracy of lenses, detectors and printers
 inline constexpr double manyCorners = 1.0 / 20; // share of doubted corners above which the model is at fault
-inline constexpr double untold = 10; // standard error in prior sigmas above which an estimate is undetermined
+inline constexpr double undetermined = 10; // standard error in prior sigmas above which an estimate is undetermined
 
 // Grossly wrong set-ups [px]
 inline constexpr double impossiblePx = 25; // distance from its prediction that no physics of a walking robot explains
 inline constexpr double grossPx = 3;       // rms above which alternative set-ups are tried
-inline constexpr double nonsensePx = 100;  // rms that neither physics nor an event explains
+inline constexpr double absurdPx = 100;    // rms that neither physics nor an event explains
 inline constexpr double soundPx =
     5; // rms that a correct set may have with unmodelled physics; corrections must leave less
-inline constexpr double mends = 0.4; // remaining share of the misfit; a correction that leaves less is reported
+inline constexpr double correctionShare =
+    0.4; // remaining share of the misfit; a correction that leaves less is reported
 
 } // namespace naocal::threshold

@@ -28,7 +28,7 @@ Eigen::VectorXd priorsOf(const Model& model, const Eigen::VectorXd& unknowns) {
 }
 
 /// Rows of a model at its fit; unknowns beyond the state's are zero.
-std::vector<PoseRows> linearisedRows(const Measurements& measurements, const Model& model, const FittedPoint& point) {
+std::vector<PoseRows> linearizedRows(const Measurements& measurements, const Model& model, const FittedPoint& point) {
   const Residuals residuals{measurements, model, point.noise, point.loss};
   Residuals::State state = point.state;
   state.unknowns.conservativeResizeLike(Eigen::VectorXd::Zero(eigenIndex(model.unknownCount())));
@@ -65,7 +65,7 @@ WideModel::WideModel(const Measurements& measurements, const Model& model, std::
     groups.back().part = 3;
   }
   const Eigen::Index columns = eigenIndex(extended.unknownCount()) - own;
-  poses_ = linearisedRows(measurements, extended, point);
+  poses_ = linearizedRows(measurements, extended, point);
   map_ = buildDriverColumns(measurements, std::move(drivers), poses_);
   for (const DriverBasis& cell : map_.cells) {
     const bool nested = cell.shape == DriverBasis::Shape::smooth;

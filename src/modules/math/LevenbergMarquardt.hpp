@@ -34,7 +34,7 @@ template <typename State, typename Linear> struct Minimum {
 ///   bool linearise(State&, Linear&)                    false: the state is infeasible
 ///   State applyStep(const State&, const Linear&, const Eigen::VectorXd& step)
 ///   const Eigen::VectorXd& scales()                    plausible change of each unknown
-/// `linearise` receives one of two `Linear`s, empty or filled by an earlier call, whose memory it may reuse.
+/// `linearize` receives one of two `Linear`s, empty or filled by an earlier call, whose memory it may reuse.
 /// If the cost has a kink or a narrow curved valley (a gear's gap), steps never achieve the predicted decrease; such a
 /// search counts as converged once its cost hardly decreases.
 /// Refuses steps to infeasible states. Absent if the start is infeasible.
@@ -42,7 +42,7 @@ template <typename Problem, typename State>
 auto levenbergMarquardt(const Problem& problem, State start, const LevenbergMarquardtOptions& options = {})
     -> std::optional<Minimum<State, typename Problem::Linear>> {
   Minimum<State, typename Problem::Linear> minimum{std::move(start), {}};
-  if (!problem.linearise(minimum.state, minimum.linear)) {
+  if (!problem.linearize(minimum.state, minimum.linear)) {
     return std::nullopt;
   }
   typename Problem::Linear there;
@@ -67,7 +67,7 @@ auto levenbergMarquardt(const Problem& problem, State start, const LevenbergMarq
       break;
     }
     State candidate = problem.applyStep(minimum.state, here, step);
-    const double fall = problem.linearise(candidate, there) ? here.cost - there.cost : -1;
+    const double fall = problem.linearize(candidate, there) ? here.cost - there.cost : -1;
     arrived = fall > 0;
     if (arrived) {
       const double gain = fall / std::max(predictedFall, 1e-300);

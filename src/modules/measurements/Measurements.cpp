@@ -381,8 +381,8 @@ std::size_t targetLink(const Robot& robot, const Target& target, SupportFoot foo
                         : *robot.linkIndex(target.board.link);
 }
 
-void addSighting(const CaptureSet& set, const Capture& capture, const BoardCorners& corners, std::size_t targetIndex,
-                 const Measurements& measurements, ImageObservation& result) {
+void addObservation(const CaptureSet& set, const Capture& capture, const BoardCorners& corners, std::size_t targetIndex,
+                    const Measurements& measurements, ImageObservation& result) {
   const Robot& robot = measurements.robot;
   const Target& target = measurements.targets[targetIndex];
   if (corners.ids.empty() || (target.onFloor && capture.supportFoot == SupportFoot::none)) {
@@ -459,7 +459,7 @@ ImageObservation makeImageObservation(std::size_t setIndex, std::size_t index, c
                           .nominal = nominalState(robot, measurements.quantities),
                           .observations = {}};
   for (const BoardCorners& corners : *capture.corners) {
-    addSighting(set, capture, corners, places.targetIndex(set, corners.board), measurements, result);
+    addObservation(set, capture, corners, places.targetIndex(set, corners.board), measurements, result);
   }
   drawAngles(robot, result);
   drawScene(set.cameras.at(capture.camera), measurements, result);

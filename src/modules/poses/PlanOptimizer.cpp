@@ -95,10 +95,9 @@ PlanEvaluator::PlanEvaluator(const Robot& robot, const std::vector<Board>& board
     : robot_{robot}, cameras_{cameras}, options_{options}, boards_{boards}, scene_{robot, options.poses.supportFoot,
                                                                                    boards, cameras,
                                                                                    options.poses.sight},
-      judge_{robot, scene_, scene_.joints(), options.criterion, options.known}, worn_{drawPerturbedRobots(
-                                                                                    robot, options.poses,
-                                                                                    options.perturbedRobots, 1)},
-      known_{judge_.prior().replicate(1, static_cast<Eigen::Index>(worn_.size() + 1))} {
+      judge_{robot, scene_, scene_.joints(), options.criterion, options.known},
+      perturbedErrors_{drawPerturbedRobots(robot, options.poses, options.perturbedRobots, 1)},
+      known_{judge_.prior().replicate(1, static_cast<Eigen::Index>(perturbedErrors_.size() + 1))} {
   for (const Eigen::VectorXd& angles : options.kept) {
     kept_.push_back({scene_.nominalState(), {}, 0});
     kept_.back().modelState.values.head(angles.size()) = angles;
@@ -147,18 +146,18 @@ std::vector<Eigen::MatrixXd> PlanEvaluator::partsOfDrawn(const std::vector<Valid
 
 Eigen::MatrixXd PlanEvaluator::expectedInformation(const Eigen::MatrixXd& sum) const {
   Eigen::MatrixXd result = ofRobot(sum, 0);
-  for (std::size_t robot = 1; robot <= worn_.size(); ++robot) {
-    result += ofRobot(sum, robot) / static_cast<double>(worn_.size());
+  for (std::size_t robot = 1; robot <= perturbedErrors_.size(); ++robot) {
+    result += ofRobot(sum, robot) / static_cast<double>(perturbedErrors_.size());
   }
   return result;
 }
 
 std::vector<Eigen::MatrixXd> PlanEvaluator::expectedParts(const std::vector<ValidPose>& poses) const {
   std::vector<Eigen::MatrixXd> result = partsOfDrawn(poses);
-  for (const Eigen::VectorXd& errors : worn_) {
+  for (const Eigen::VectorXd& errors : perturbedErrors_) {
     const std::vector<Eigen::MatrixXd> own = partsOfDrawn(applyErrors(errors, poses));
     for (std::size_t pose = 0; pose < poses.size(); ++pose) {
-      result[pose] += own[pose] / static_cast<double>(worn_.size());
+      result[pose] += own[pose] / static_cast<double>(perturbedErrors_.size());
     }
   }
   return result;
@@ -166,8 +165,8 @@ std::vector<Eigen::MatrixXd> PlanEvaluator::expectedParts(const std::vector<Vali
 
 std::vector<Eigen::MatrixXd> PlanEvaluator::informationParts(const std::vector<ValidPose>& poses) const {
   std::vector<Eigen::MatrixXd> result = partsOfDrawn(poses);
-  for (std::size_t robot = 0; robot < worn_.size(); ++robot) {
-    const std::vector<Eigen::MatrixXd> own = partsOfDrawn(applyErrors(worn_[robot], poses));
+  for (std::size_t robot = 0; robot < perturbedErrors_.size(); ++robot) {
+    const std::vector<Eigen::MatrixXd> own = partsOfDrawn(applyErrors(perturbedErrors_[robot], poses));
     for (std::size_t pose = 0; pose < poses.size(); ++pose) {
       if (robot == 0) {
         result[pose].conservativeResize(Eigen::NoChange, known_.cols());
@@ -197,8 +196,8 @@ double PlanEvaluator::worstSigma(const Eigen::MatrixXd& sum) const {
 double PlanEvaluator::objective(const Eigen::MatrixXd& sum, const std::vector<ValidPose>& poses) const {
   if (options_.criterion != Criterion::time) {
     double ofWorn = 0;
-    for (std::size_t robot = 1; robot <= worn_.size(); ++robot) {
-      ofWorn += judge_(ofRobot(sum, robot)) / static_cast<double>(worn_.size());
+    for (std::size_t robot = 1; robot <= perturbedErrors_.size(); ++robot) {
+      ofWorn += judge_(ofRobot(sum, robot)) / static_cast<double>(perturbedErrors_.size());
     }
     return judge_(ofRobot(sum, 0)) + ofWorn;
   }

@@ -71,7 +71,7 @@ private:
   std::vector<Board> boards_;
   PlanningScene scene_;
   PoseCriterion judge_;
-  std::vector<Eigen::VectorXd> worn_; // joint errors per robot, per joint of the drawing [rad]
+  std::vector<Eigen::VectorXd> perturbedErrors_; // joint errors per robot, per joint of the drawing [rad]
   std::vector<ValidPose> kept_;
   Eigen::MatrixXd known_;
 };

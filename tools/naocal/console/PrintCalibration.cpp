@@ -59,14 +59,15 @@ void printCalibration(const FittedModel& fitted) {
   for (const WeakDirection& weak : fitted.fit.weak) {
     fmt::print("\nweak: {}\n", weak.sentence);
   }
-  for (const Outlier& doubt : fitted.fit.doubts) {
-    const ImageObservation& picture = fitted.measurements.pictures[doubt.picture];
+  for (const Outlier& outlier : fitted.fit.outliers) {
+    const ImageObservation& picture = fitted.measurements.pictures[outlier.picture];
     fmt::print("\ndoubtful: capture {} ({}), board {}: {} {:.1f} px off{}", fitted.measurements.captureOf(picture).id,
                fitted.measurements.captureOf(picture).camera,
-               fitted.measurements.targets[picture.observations[doubt.observation].view.board()].name,
-               doubt.whole ? fmt::format("{} corners together", doubt.corners.size())
-                           : fmt::format("{} corner{}", doubt.corners.size(), doubt.corners.size() == 1 ? "" : "s"),
-               doubt.distance, doubt.whole ? ": was the board moved or the robot touched?" : "");
+               fitted.measurements.targets[picture.observations[outlier.observation].view.board()].name,
+               outlier.whole
+                   ? fmt::format("{} corners together", outlier.corners.size())
+                   : fmt::format("{} corner{}", outlier.corners.size(), outlier.corners.size() == 1 ? "" : "s"),
+               outlier.distance, outlier.whole ? ": was the board moved or the robot touched?" : "");
   }
   for (const std::string& warning : toSentences(fitted.fit.warnings)) {
     fmt::print("\nwarning: {}", warning);

@@ -110,15 +110,15 @@ MotionFreeResiduals::MotionFreeResiduals(const FittedModel& fitted) {
         boards->second = predictBoards(fitted.measurements, picture,
                                        predictState(fitted.measurements, fitted.model, picture, fitted.fit.unknowns));
       }
-      const MotionFreeResidual& added = sightings_.emplace_back(removeMotions(errors, picture, boards->second));
-      repeats[{poseOf[errors.picture], added.camera, added.board}].push_back(sightings_.size() - 1);
+      const MotionFreeResidual& added = observations_.emplace_back(removeMotions(errors, picture, boards->second));
+      repeats[{poseOf[errors.picture], added.camera, added.board}].push_back(observations_.size() - 1);
     }
   }
   std::size_t number = 0;
   for (const auto& [key, members] : repeats) {
     for (std::size_t member : members) {
-      sightings_[member].repeats = number;
-      sightings_[member].share = 1 / static_cast<double>(members.size());
+      observations_[member].repeats = number;
+      observations_[member].share = 1 / static_cast<double>(members.size());
     }
     ++number;
   }
@@ -130,7 +130,7 @@ FieldFit MotionFreeResiduals::fitField(Eigen::Index count, double plausible,
   Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(count, count);
   Eigen::VectorXd gradient = Eigen::VectorXd::Zero(count);
   std::map<std::size_t, RepeatSums> repeats;
-  for (const MotionFreeResidual& observation : sightings_) {
+  for (const MotionFreeResidual& observation : observations_) {
     if (chosen(observation)) {
       const Eigen::MatrixXd own = columns(observation), weighted = observation.weights.asDiagonal() * own;
       const Eigen::MatrixXd left = observation.removeMotion(observation.errors->residual.reshaped());

@@ -75,10 +75,10 @@ public:
   FieldFit fitField(Eigen::Index count, double plausible, const std::function<bool(const MotionFreeResidual&)>& chosen,
                     const std::function<Eigen::MatrixXd(const MotionFreeResidual&)>& columns) const;
 
-  const std::vector<MotionFreeResidual>& observations() const { return sightings_; }
+  const std::vector<MotionFreeResidual>& observations() const { return observations_; }
 
 private:
-  std::vector<MotionFreeResidual> sightings_;
+  std::vector<MotionFreeResidual> observations_;
 };
 
 /// Errors within pictures as a field: of one board in all pictures, or of one camera over all boards.

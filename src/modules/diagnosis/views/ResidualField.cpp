@@ -20,7 +20,7 @@ constexpr std::size_t fewest = 5;              // corners of a displayed cell
 constexpr double trusted = 0.7;                // loss weight from which a corner counts
 
 /// The observations of one picture, without those behind the camera.
-using Sightings = std::vector<const BoardResidual*>;
+using Observations = std::vector<const BoardResidual*>;
 using CellPlace = std::array<std::size_t, 3>; // of a cell: camera, column, row
 
 /// Sums over the corners of a cell.
@@ -54,7 +54,7 @@ struct CellSums {
 };
 
 /// Number of trusted corners. With three, the picture's motion fits everything.
-double trustedCorners(const Sightings& picture) {
+double trustedCorners(const Observations& picture) {
   double count = 0;
   for (const BoardResidual* observation : picture) {
     count += static_cast<double>((observation->weight.array() >= trusted).count());
@@ -63,7 +63,7 @@ double trustedCorners(const Sightings& picture) {
 }
 
 /// Motion of the picture that explains most of its residuals.
-Eigen::Matrix<double, 6, 1> motionOf(const Sightings& picture) {
+Eigen::Matrix<double, 6, 1> motionOf(const Observations& picture) {
   Eigen::Matrix<double, 6, 6> gram = Eigen::Matrix<double, 6, 6>::Zero();
   Eigen::Matrix<double, 6, 1> gradient = Eigen::Matrix<double, 6, 1>::Zero();
   for (const BoardResidual* observation : picture) {
@@ -106,7 +106,7 @@ std::pair<double, double> addCorners(const BoardResidual& observation, const Eig
 } // namespace
 
 ResidualField computeResidualField(const FittedModel& fitted) {
-  std::map<std::size_t, Sightings> byPicture;
+  std::map<std::size_t, Observations> byPicture;
   for (const BoardResidual& observation : fitted.fit.residuals) {
     if (observation.residual.allFinite()) {
       byPicture[observation.picture].push_back(&observation);

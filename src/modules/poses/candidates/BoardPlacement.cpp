@@ -86,7 +86,7 @@ Eigen::VectorXd mirrorAngles(const Robot& robot, const Eigen::VectorXd& angles) 
   return result;
 }
 
-Placement mirrorAngles(const Board& board, double middle) {
+Placement mirrorPlacement(const Board& board, double middle) {
   // A mirrored sheet has the opposite yaw; its lower edge becomes the upper one.
   Board image = board;
   image.placement->yaw = -board.placement->yaw;
@@ -120,7 +120,7 @@ MirroredBoards::MirroredBoards(const std::vector<Board>& boards, double middle) 
 void MirroredBoards::mirrorMoved(std::vector<Board>& boards, std::size_t moved) const {
   Board& board = boards[moved];
   if (mates_[moved] != moved) {
-    boards[mates_[moved]].placement = mirrorAngles(board, middle_);
+    boards[mates_[moved]].placement = mirrorPlacement(board, middle_);
     return;
   }
   constexpr double quarter = std::numbers::pi / 2;

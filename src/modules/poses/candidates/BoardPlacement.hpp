@@ -38,7 +38,7 @@ private:
 Eigen::VectorXd mirrorAngles(const Robot& robot, const Eigen::VectorXd& angles);
 
 /// Placement of a board's mirror image about the line y = `middle`.
-Placement mirrorAngles(const Board& board, double middle);
+Placement mirrorPlacement(const Board& board, double middle);
 
 /// Keeps boards symmetric about the line y = `middle`.
 class MirroredBoards {

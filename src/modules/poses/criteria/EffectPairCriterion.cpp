@@ -87,7 +87,7 @@ EffectPairCriterion::Told EffectPairCriterion::tellApart(const std::vector<Valid
   const Residuals residuals{measurements, model, options_.noise};
   const Eigen::VectorXd asDrawn = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(model.unknownCount()));
   const auto linear =
-      residuals.linearise(residuals.startState(asDrawn)).value(); // visible corners are in front of the camera
+      residuals.linearize(residuals.startState(asDrawn)).value(); // visible corners are in front of the camera
   std::map<std::string, std::size_t> numbers;
   for (std::size_t i = 0; i < poses.size(); ++i) {
     numbers[plannedPoseName(i)] = i;

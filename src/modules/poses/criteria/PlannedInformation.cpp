@@ -223,7 +223,7 @@ PlannedInformation predictInformation(const FittedModel& fitted, const ModelAmbi
   PlannedInformation result{buildModel(extended, question.with, question.without, question.effects), {}, {}};
   const Model model = addHypotheses(extended, result.own, question);
   const Residuals residuals{extended, model, noise};
-  const auto linear = residuals.linearise(residuals.startState(extendUnknowns(fitted, extended, model, around)));
+  const auto linear = residuals.linearize(residuals.startState(extendUnknowns(fitted, extended, model, around)));
   if (!linear) {
     throw InputError{"the fit puts a corner that was seen behind the camera: these captures do not belong together"};
   }
