@@ -61,7 +61,7 @@ TEST_CASE("mirrored boards lie alike on both sides, and mirroring twice changes 
   Board board = scene.boards.front();
   board.placement = Placement{0.5, 0.3, 0, 0, 0, 0.7};
   Board image = board;
-  image.placement = mirrorAngles(board, -0.05);
+  image.placement = mirrorPlacement(board, -0.05);
   for (const Eigen::Vector2d& corner : boardOutline(board)) {
     const ConvexPolygon others = boardOutline(image);
     CHECK(std::any_of(others.begin(), others.end(), [&](const Eigen::Vector2d& other) {

@@ -23,6 +23,8 @@
 
 namespace naocal {
 
+namespace {
+
 /// Board-pose alignment: a problem better conditioned far from the minimum than that of the corners. Compares each
 /// board's pose in the camera, estimated from its corners alone, with that of the kinematic chain; valid even beyond
 /// the horizon or behind the camera.
@@ -70,12 +72,13 @@ private:
   std::vector<Seen> seen_;
 };
 
-namespace {
+constexpr double angleScale = 0.1; // [rad]
 
-constexpr double angleScale = 0.1;    // [rad]
 constexpr double distanceScale = 0.1; // relative to the depth
-constexpr double huber = 2;           // in units of the residual's standard deviation
-constexpr double cornerNoise = 1;     // [px]: generous, covers outliers and lens errors
+
+constexpr double huber = 2; // in units of the residual's standard deviation
+
+constexpr double cornerNoise = 1; // [px]: generous, covers outliers and lens errors
 
 Eigen::Vector3d rotationVector(const Eigen::Matrix3d& rotation) {
   const Eigen::AngleAxisd turn{rotation};
@@ -98,6 +101,7 @@ struct SeenPose {
   RigidTransform opticalFromBoard;
   Eigen::Matrix<double, 6, 6> information;
 };
+
 std::optional<SeenPose> estimateSeenPose(const BoardObservation& observation, const ModelState& modelState) {
   const auto start = estimateBoardPose(observation.corners, modelState.lens());
   if (!start) {
@@ -121,8 +125,6 @@ std::optional<SeenPose> estimateSeenPose(const BoardObservation& observation, co
   return fits ? std::optional{SeenPose{attitude.opticalFromBoard, sums.gram() / (cornerNoise * cornerNoise)}}
               : std::nullopt;
 }
-
-} // namespace
 
 BoardAlignment::BoardAlignment(const Measurements& measurements, const Model& model)
     : measurements_{measurements}, model_{model}, sigmas_{model.sigmas()} {
@@ -216,8 +218,6 @@ bool BoardAlignment::linearize(const Eigen::VectorXd& unknowns, Linear& sums) co
   }
   return true;
 }
-
-namespace {
 
 /// A pose on the floor: x, y [m], yaw [rad] in the parent frame.
 using OnFloor = Eigen::Vector3d;

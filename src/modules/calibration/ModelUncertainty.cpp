@@ -33,30 +33,6 @@ bool isWide(const Eigen::ArrayXd& values, const Eigen::ArrayXd& variances) {
   return cost(wide) < cost(narrow);
 }
 
-} // namespace
-
-std::optional<Model> widenPriors(const Model& model, const Eigen::VectorXd& unknowns,
-                                 const Eigen::VectorXd& variances) {
-  Model result;
-  bool widened = false;
-  for (Term term : model.terms()) {
-    const Eigen::ArrayXd sigmas = term.sigmas();
-    const auto first = eigenIndex(term.first), count = sigmas.size();
-    if (term.requested && !term.isPlacement && !term.effect.base &&
-        isWide(unknowns.segment(first, count).array() / sigmas,
-               variances.segment(first, count).array() / sigmas.square())) {
-      for (Unknown& unknown : term.effect.unknowns) {
-        unknown.sigma *= plausibleWidths[1].width;
-      }
-      widened = true;
-    }
-    result.add(std::move(term));
-  }
-  return widened ? std::optional{std::move(result)} : std::nullopt;
-}
-
-namespace {
-
 FittedPoint pointOf(const Fit& fit) {
   return {fit.minimum.state, fit.noise, fit.loss};
 }
@@ -251,7 +227,59 @@ private:
   std::vector<Term> candidates_;
 };
 
+/// The window's models by their effects, likeliest first. `added`: effects that were added to the base model.
+std::vector<Explanation> listExplanations(const MissingEffectAnalysis& explained, const std::vector<Term>& added) {
+  constexpr double worthNaming = 0.01;
+  std::map<std::vector<std::size_t>, double> weights; // by groups, whatever their widths
+  for (const WindowModel& one : explained.window.models) {
+    std::vector<std::size_t> groups;
+    for (const WindowMember& member : one.members) {
+      groups.push_back(member.group);
+    }
+    weights[groups] += one.weight;
+  }
+  std::vector<Explanation> result;
+  for (const auto& [groups, weight] : weights) {
+    if (weight <= worthNaming) {
+      continue;
+    }
+    Explanation explanation{{}, {}, weight};
+    for (const std::size_t group : groups) {
+      explanation.effects.push_back(explained.names[group]);
+    }
+    for (const Term& term : added) {
+      if (std::erase(explanation.effects, term.label()) == 0) {
+        explanation.without.push_back(term.label());
+      }
+    }
+    result.push_back(std::move(explanation));
+  }
+  std::stable_sort(result.begin(), result.end(),
+                   [](const Explanation& a, const Explanation& b) { return a.weight > b.weight; });
+  return result;
+}
+
 } // namespace
+
+std::optional<Model> widenPriors(const Model& model, const Eigen::VectorXd& unknowns,
+                                 const Eigen::VectorXd& variances) {
+  Model result;
+  bool widened = false;
+  for (Term term : model.terms()) {
+    const Eigen::ArrayXd sigmas = term.sigmas();
+    const auto first = eigenIndex(term.first), count = sigmas.size();
+    if (term.requested && !term.isPlacement && !term.effect.base &&
+        isWide(unknowns.segment(first, count).array() / sigmas,
+               variances.segment(first, count).array() / sigmas.square())) {
+      for (Unknown& unknown : term.effect.unknowns) {
+        unknown.sigma *= plausibleWidths[1].width;
+      }
+      widened = true;
+    }
+    result.add(std::move(term));
+  }
+  return widened ? std::optional{std::move(result)} : std::nullopt;
+}
 
 MissingEffectAnalysis analyseMissingEffects(const Measurements& measurements, const Model& model, const Fit& fit,
                                             const Noise& noise, const std::optional<RepeatInfo>& repeats,
@@ -291,42 +319,6 @@ MissingEffectAnalysis analyseMissingEffects(const Measurements& measurements, co
   }
   return result;
 }
-
-namespace {
-
-/// The window's models by their effects, likeliest first. `added`: effects that were added to the base model.
-std::vector<Explanation> listExplanations(const MissingEffectAnalysis& explained, const std::vector<Term>& added) {
-  constexpr double worthNaming = 0.01;
-  std::map<std::vector<std::size_t>, double> weights; // by groups, whatever their widths
-  for (const WindowModel& one : explained.window.models) {
-    std::vector<std::size_t> groups;
-    for (const WindowMember& member : one.members) {
-      groups.push_back(member.group);
-    }
-    weights[groups] += one.weight;
-  }
-  std::vector<Explanation> result;
-  for (const auto& [groups, weight] : weights) {
-    if (weight <= worthNaming) {
-      continue;
-    }
-    Explanation explanation{{}, {}, weight};
-    for (const std::size_t group : groups) {
-      explanation.effects.push_back(explained.names[group]);
-    }
-    for (const Term& term : added) {
-      if (std::erase(explanation.effects, term.label()) == 0) {
-        explanation.without.push_back(term.label());
-      }
-    }
-    result.push_back(std::move(explanation));
-  }
-  std::stable_sort(result.begin(), result.end(),
-                   [](const Explanation& a, const Explanation& b) { return a.weight > b.weight; });
-  return result;
-}
-
-} // namespace
 
 void fillExplanations(const MissingEffectAnalysis& explained, const Model& model, CalibrationResult& result) {
   const ModelWindow& window = explained.window;

@@ -27,6 +27,45 @@ std::map<std::string, ResidualSummary> summarizeGroups(const std::map<std::strin
   return result;
 }
 
+/// The model of a result on other captures: its terms as far as they apply, and the placements.
+Model modelFromResult(const StoredResult& result, const Measurements& measurements, std::vector<std::string>& ignored) {
+  const std::vector<Effect> effects =
+      parseEffects(nlohmann::json::parse(result.definitions), "model.define", measurements.robot);
+  const Model base = buildModel(measurements);
+  std::vector<std::string> with, without;
+  for (const Term& term : base.terms()) {
+    if (!term.isPlacement && std::find(result.terms.begin(), result.terms.end(), term.label()) == result.terms.end()) {
+      without.push_back(term.label());
+    }
+  }
+  for (const std::string& term : result.terms) {
+    try {
+      buildModel(measurements, {term}, {}, effects);
+      with.push_back(term);
+    } catch (const InputError&) {
+      ignored.push_back(term);
+    }
+  }
+  Model model = buildModel(measurements, with, without, effects);
+  std::erase_if(ignored, [&](const std::string& label) { // offsets added along with load-dependent effects
+    return std::any_of(model.terms().begin(), model.terms().end(),
+                       [&](const Term& term) { return term.label() == label; });
+  });
+  return model;
+}
+
+/// Sets a placement's unknowns such that start + unknowns = `placement`.
+void placeAt(const Term& term, const Eigen::Matrix<double, 6, 1>& start, const Placement& placement,
+             Eigen::VectorXd& unknowns) {
+  const std::map<std::string, std::pair<int, double>> numbers{
+      {"x", {0, placement.x}},       {"y", {1, placement.y}},         {"z", {2, placement.z}},
+      {"roll", {3, placement.roll}}, {"pitch", {4, placement.pitch}}, {"yaw", {5, placement.yaw}}};
+  for (std::size_t i = 0; i < term.effect.unknowns.size(); ++i) {
+    const auto& [number, value] = numbers.at(term.effect.unknowns[i].name);
+    unknowns[static_cast<Eigen::Index>(term.first + i)] = value - start[number];
+  }
+}
+
 } // namespace
 
 Comparison compare(const StoredResult& result, const std::vector<CaptureSet>& sets, const Robot& robot,
@@ -99,49 +138,6 @@ nlohmann::json comparisonJson(const Comparison& comparison) {
   result["ignored"] = comparison.ignored;
   return result;
 }
-
-namespace {
-
-/// The model of a result on other captures: its terms as far as they apply, and the placements.
-Model modelFromResult(const StoredResult& result, const Measurements& measurements, std::vector<std::string>& ignored) {
-  const std::vector<Effect> effects =
-      parseEffects(nlohmann::json::parse(result.definitions), "model.define", measurements.robot);
-  const Model base = buildModel(measurements);
-  std::vector<std::string> with, without;
-  for (const Term& term : base.terms()) {
-    if (!term.isPlacement && std::find(result.terms.begin(), result.terms.end(), term.label()) == result.terms.end()) {
-      without.push_back(term.label());
-    }
-  }
-  for (const std::string& term : result.terms) {
-    try {
-      buildModel(measurements, {term}, {}, effects);
-      with.push_back(term);
-    } catch (const InputError&) {
-      ignored.push_back(term);
-    }
-  }
-  Model model = buildModel(measurements, with, without, effects);
-  std::erase_if(ignored, [&](const std::string& label) { // offsets added along with load-dependent effects
-    return std::any_of(model.terms().begin(), model.terms().end(),
-                       [&](const Term& term) { return term.label() == label; });
-  });
-  return model;
-}
-
-/// Sets a placement's unknowns such that start + unknowns = `placement`.
-void placeAt(const Term& term, const Eigen::Matrix<double, 6, 1>& start, const Placement& placement,
-             Eigen::VectorXd& unknowns) {
-  const std::map<std::string, std::pair<int, double>> numbers{
-      {"x", {0, placement.x}},       {"y", {1, placement.y}},         {"z", {2, placement.z}},
-      {"roll", {3, placement.roll}}, {"pitch", {4, placement.pitch}}, {"yaw", {5, placement.yaw}}};
-  for (std::size_t i = 0; i < term.effect.unknowns.size(); ++i) {
-    const auto& [number, value] = numbers.at(term.effect.unknowns[i].name);
-    unknowns[static_cast<Eigen::Index>(term.first + i)] = value - start[number];
-  }
-}
-
-} // namespace
 
 Prediction preparePrediction(const Model& model, const StoredResult& result, const Measurements& measurements,
                              bool samePlace) {

@@ -16,20 +16,6 @@
 
 namespace naocal {
 
-void ResultSources::add(const std::filesystem::path& folder) {
-  sets.push_back(std::filesystem::weakly_canonical(folder).string());
-  sha256.push_back(naocal::sha256(readFile(folder / "captures.json")));
-}
-
-/// Outliers: set, capture, board, corners and distance [px].
-nlohmann::json outliersJson(const Measurements& measurements, const CalibrationResult& result);
-
-/// Every corner: measured; predicted at the joint angles as read; fitted, with the joints' deflections; and its weight.
-nlohmann::json residualsJson(const Measurements& measurements, const CalibrationResult& result);
-
-/// Image sizes of the cameras, by set and name.
-nlohmann::json camerasJson(const std::vector<CaptureSet>& sets);
-
 using nlohmann::json;
 
 namespace {
@@ -42,8 +28,7 @@ json pointsJson(const Eigen::Matrix2Xd& points) {
   return list;
 }
 
-} // namespace
-
+/// Outliers: set, capture, board, corners and distance [px].
 json outliersJson(const Measurements& measurements, const CalibrationResult& result) {
   json list = json::array();
   for (const Outlier& outlier : result.outliers) {
@@ -59,6 +44,7 @@ json outliersJson(const Measurements& measurements, const CalibrationResult& res
   return list;
 }
 
+/// Every corner: measured; predicted at the joint angles as read; fitted, with the joints' deflections; and its weight.
 json residualsJson(const Measurements& measurements, const CalibrationResult& result) {
   json list = json::array();
   for (std::size_t i = 0; i < result.residuals.size(); ++i) {
@@ -83,6 +69,7 @@ json residualsJson(const Measurements& measurements, const CalibrationResult& re
   return list;
 }
 
+/// Image sizes of the cameras, by set and name.
 json camerasJson(const std::vector<CaptureSet>& sets) {
   json cameras;
   for (const CaptureSet& set : sets) {
@@ -92,10 +79,6 @@ json camerasJson(const std::vector<CaptureSet>& sets) {
   }
   return cameras;
 }
-
-using nlohmann::json;
-
-namespace {
 
 Placement placementFrom(const json& value) {
   return {value.value("x", 0.0),    value.value("y", 0.0),     value.value("z", 0.0),
@@ -117,49 +100,6 @@ Noise noiseFrom(const json& entry, const std::string& file) {
   }
   return noise;
 }
-
-} // namespace
-
-StoredResult parseResult(const json& all, const std::string& name) {
-  try {
-    if (all.value("format", "") != "naocal-result" || all.value("version", 0) != 1) {
-      throw InputError{
-          fmt::format("{}: format: expected \"naocal-result\" version 1, as 'naocal solve' writes it, found {} "
-                      "version {}",
-                      name, all.value("format", "none"), all.value("version", 0))};
-    }
-    StoredResult result;
-    result.usable = all.at("usable").get<bool>();
-    if (all.contains("model") && all["model"].contains("define")) {
-      result.definitions = all["model"]["define"].dump();
-    }
-    result.noise = noiseFrom(all.value("noise", json::object()), name);
-    for (const json& effect : all.at("effects")) {
-      const std::string label = effect.at("effect").get<std::string>() + "@" + effect.at("at").get<std::string>();
-      result.terms.push_back(label);
-      for (const auto& [key, unknown] : effect.at("unknowns").items()) {
-        result.values[label + "." + key] = unknown.at("value").get<double>();
-      }
-    }
-    for (const auto& [id, placement] : all.at("placements").at("boards").items()) {
-      result.boards[id] = placementFrom(placement);
-    }
-    for (const auto& [id, placement] : all.at("placements").at("stances").items()) {
-      result.stances[id] = placementFrom(placement);
-    }
-    return result;
-  } catch (const json::exception& error) {
-    throw InputError{fmt::format("{}: not a result file as 'naocal solve' writes it: {}", name, error.what())};
-  }
-}
-
-StoredResult readResult(const std::filesystem::path& file) {
-  return parseResult(parseJson(readFile(file), file.string()), file.string());
-}
-
-using nlohmann::json;
-
-namespace {
 
 /// "LKneePitch" for jointOffset@LKneePitch.o; other unknowns keep their full name.
 std::string shortName(const std::string& unknown) {
@@ -277,6 +217,48 @@ json definitions(const Model& model) {
 }
 
 } // namespace
+
+void ResultSources::add(const std::filesystem::path& folder) {
+  sets.push_back(std::filesystem::weakly_canonical(folder).string());
+  sha256.push_back(naocal::sha256(readFile(folder / "captures.json")));
+}
+
+StoredResult parseResult(const json& all, const std::string& name) {
+  try {
+    if (all.value("format", "") != "naocal-result" || all.value("version", 0) != 1) {
+      throw InputError{
+          fmt::format("{}: format: expected \"naocal-result\" version 1, as 'naocal solve' writes it, found {} "
+                      "version {}",
+                      name, all.value("format", "none"), all.value("version", 0))};
+    }
+    StoredResult result;
+    result.usable = all.at("usable").get<bool>();
+    if (all.contains("model") && all["model"].contains("define")) {
+      result.definitions = all["model"]["define"].dump();
+    }
+    result.noise = noiseFrom(all.value("noise", json::object()), name);
+    for (const json& effect : all.at("effects")) {
+      const std::string label = effect.at("effect").get<std::string>() + "@" + effect.at("at").get<std::string>();
+      result.terms.push_back(label);
+      for (const auto& [key, unknown] : effect.at("unknowns").items()) {
+        result.values[label + "." + key] = unknown.at("value").get<double>();
+      }
+    }
+    for (const auto& [id, placement] : all.at("placements").at("boards").items()) {
+      result.boards[id] = placementFrom(placement);
+    }
+    for (const auto& [id, placement] : all.at("placements").at("stances").items()) {
+      result.stances[id] = placementFrom(placement);
+    }
+    return result;
+  } catch (const json::exception& error) {
+    throw InputError{fmt::format("{}: not a result file as 'naocal solve' writes it: {}", name, error.what())};
+  }
+}
+
+StoredResult readResult(const std::filesystem::path& file) {
+  return parseResult(parseJson(readFile(file), file.string()), file.string());
+}
 
 json resultJson(const FittedModel& fitted, const ResultSources& inputs) {
   std::vector<std::string> terms;

@@ -72,24 +72,6 @@ std::optional<double> predictErrorIn(const ImageObservation& picture, const Fitt
   return std::sqrt((slip * fitted.fit.covariance * slip.transpose()).trace());
 }
 
-} // namespace
-
-double predictFloorErrorAt2m(const FittedModel& fitted) {
-  std::vector<double> errors;
-  for (const ImageObservation& picture : fitted.measurements.pictures) {
-    if (const auto error = predictErrorIn(picture, fitted)) {
-      errors.push_back(*error);
-    }
-  }
-  if (errors.empty()) {
-    return 0;
-  }
-  std::nth_element(errors.begin(), errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2), errors.end());
-  return errors[errors.size() / 2];
-}
-
-namespace {
-
 Eigen::MatrixXd inverse(const Eigen::MatrixXd& information) {
   return information.ldlt().solve(Eigen::MatrixXd::Identity(information.rows(), information.cols()));
 }
@@ -146,6 +128,20 @@ void measureDistances(const Residuals& residuals, const Fit& fit, CalibrationRes
 }
 
 } // namespace
+
+double predictFloorErrorAt2m(const FittedModel& fitted) {
+  std::vector<double> errors;
+  for (const ImageObservation& picture : fitted.measurements.pictures) {
+    if (const auto error = predictErrorIn(picture, fitted)) {
+      errors.push_back(*error);
+    }
+  }
+  if (errors.empty()) {
+    return 0;
+  }
+  std::nth_element(errors.begin(), errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2), errors.end());
+  return errors[errors.size() / 2];
+}
 
 CalibrationResult estimateUncertainty(const Measurements& measurements, const Model& model, const Fit& fit,
                                       const NoiseLevels& levels) {

@@ -70,6 +70,26 @@ std::string readLink(const JsonCursor& place) {
   return link;
 }
 
+/// Number of markers of a sheet: one per white square.
+int markers(const CharucoPattern& pattern) {
+  return pattern.squaresX * pattern.squaresY / 2;
+}
+
+void requirePrintable(const CharucoPattern& pattern, const JsonCursor& place) {
+  const auto available = markerCount(pattern.dictionary);
+  if (!available) {
+    place.at("dictionary").refuse("the name of one of OpenCV's predefined dictionaries, such as DICT_4X4_100");
+  }
+  if (pattern.markerLength >= pattern.squareLength) {
+    place.refuse("a markerLength below the squareLength",
+                 fmt::format("{} and {} m", pattern.markerLength, pattern.squareLength));
+  }
+  if (pattern.firstMarkerId + markers(pattern) > *available) {
+    place.refuse(fmt::format("marker ids below {}, as many as {} has", *available, pattern.dictionary),
+                 fmt::format("{} markers from firstMarkerId {} on", markers(pattern), pattern.firstMarkerId));
+  }
+}
+
 } // namespace
 
 Placement readFloorPlacement(const JsonCursor& place) {
@@ -102,30 +122,6 @@ Board readBoard(const JsonCursor& place) {
   }
   return board;
 }
-
-namespace {
-
-/// Number of markers of a sheet: one per white square.
-int markers(const CharucoPattern& pattern) {
-  return pattern.squaresX * pattern.squaresY / 2;
-}
-
-void requirePrintable(const CharucoPattern& pattern, const JsonCursor& place) {
-  const auto available = markerCount(pattern.dictionary);
-  if (!available) {
-    place.at("dictionary").refuse("the name of one of OpenCV's predefined dictionaries, such as DICT_4X4_100");
-  }
-  if (pattern.markerLength >= pattern.squareLength) {
-    place.refuse("a markerLength below the squareLength",
-                 fmt::format("{} and {} m", pattern.markerLength, pattern.squareLength));
-  }
-  if (pattern.firstMarkerId + markers(pattern) > *available) {
-    place.refuse(fmt::format("marker ids below {}, as many as {} has", *available, pattern.dictionary),
-                 fmt::format("{} markers from firstMarkerId {} on", markers(pattern), pattern.firstMarkerId));
-  }
-}
-
-} // namespace
 
 CharucoPattern readPattern(const JsonCursor& place) {
   CharucoPattern pattern;

@@ -18,12 +18,15 @@
 
 namespace naocal {
 
+namespace {
+
 /// A list under `joints`, with the range of its values.
 struct JointList {
   const char* key;
   std::vector<double> JointReadings::*values;
   Range range;
 };
+
 constexpr std::array<JointList, 6> jointLists{{
     {"measured", &JointReadings::measured, angleRange},
     {"commanded", &JointReadings::commanded, angleRange},
@@ -32,14 +35,6 @@ constexpr std::array<JointList, 6> jointLists{{
     {"temperature", &JointReadings::temperature, {-100, 500, "degrees Celsius"}},
     {"current", &JointReadings::current, {-100, 100, "A"}},
 }};
-
-/// Reads an entry of `captures`, checked against the joints, cameras, boards and stances of its set.
-Capture readCapture(const JsonCursor& place, const CaptureSet& set);
-
-/// Formats a capture as an entry of `captures`. `read`: the entry it was read from, or null.
-nlohmann::ordered_json captureJson(const Capture& capture, const nlohmann::json& read);
-
-namespace {
 
 /// Both names belong to one motor: values may differ by the rounding of a log, at most about one encoder step (1.5e-3).
 constexpr double hipYawPitchTolerance = 2e-3; // [rad]
@@ -135,8 +130,7 @@ std::string readImagePath(const JsonCursor& place) {
   return image.string();
 }
 
-} // namespace
-
+/// Reads an entry of `captures`, checked against the joints, cameras, boards and stances of its set.
 Capture readCapture(const JsonCursor& place, const CaptureSet& set) {
   Capture capture;
   capture.id = place.at("id").integer(std::numeric_limits<int>::min(), std::numeric_limits<int>::max());
@@ -174,8 +168,6 @@ Capture readCapture(const JsonCursor& place, const CaptureSet& set) {
   }
   return capture;
 }
-
-namespace {
 
 using nlohmann::json;
 
@@ -301,37 +293,10 @@ void readCaptures(const JsonCursor& place, BadCapturePolicy bad, LoadedCaptureSe
   }
 }
 
-} // namespace
-
-LoadedCaptureSet parseCaptureSet(const std::string& text, const std::string& name, BadCapturePolicy bad) {
-  LoadedCaptureSet read;
-  CaptureSet& set = read.set;
-  set.name = name;
-  set.source = std::make_shared<const json>(parseJson(text, name));
-  const JsonCursor top{*set.source, name};
-  requireFormat(top);
-  readRobot(top.at("robot"), set);
-  set.jointNames = readJointNames(top.at("jointNames"));
-  for (const auto& [camera, place] : top.at("cameras").members()) {
-    set.cameras.emplace(camera, readCamera(place));
-  }
-  set.boards = readList(top.at("boards"), readBoard);
-  requireDistinctMarkers(set.boards, top.at("boards"));
-  set.stances = readList(top.at("stances"), readStance);
-  readCaptures(top.at("captures"), bad, read);
-  return read;
-}
-
-LoadedCaptureSet readCaptureSet(const std::filesystem::path& folder, BadCapturePolicy bad) {
-  const auto file = folder / "captures.json";
-  LoadedCaptureSet read = parseCaptureSet(readFile(file), file.string(), bad);
-  read.set.name = std::filesystem::canonical(folder).filename().string();
-  return read;
-}
-
-namespace {
-
 using nlohmann::json;
+
+using Written = nlohmann::ordered_json;
+
 using Written = nlohmann::ordered_json;
 
 Written placementJson(const Placement& placement, bool onFloor, const json& read, bool zeros = true) {
@@ -433,37 +398,7 @@ std::string formatLines(const Written& value) {
   return text + (text.size() > 1 ? "\n " : "") + (isList ? ']' : '}');
 }
 
-} // namespace
-
-std::string formatCaptureSet(const CaptureSet& set) {
-  const json none;
-  Written whole = setJson(set, set.source ? *set.source : none);
-  for (const Capture& capture : set.captures) {
-    whole["captures"].push_back(captureJson(capture, capture.source ? *capture.source : none));
-  }
-  std::string text{"{"};
-  for (const auto& [key, value] : whole.items()) {
-    const bool holdsMany = key == "cameras" || key == "boards" || key == "stances" || key == "captures";
-    text += fmt::format("{}\n {}: {}", text.size() > 1 ? "," : "", compactText(key),
-                        holdsMany ? formatLines(value) : compactText(value));
-  }
-  return text + "\n}\n";
-}
-
-void writeCaptureSet(const CaptureSet& set, const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) {
-    throw InputError{
-        fmt::format("{}: the folder cannot be made: {}; choose another place", folder.string(), error.message())};
-  }
-  writeAtomically(folder / "captures.json", formatCaptureSet(set));
-}
-
-namespace {
-
 using nlohmann::json;
-using Written = nlohmann::ordered_json;
 
 /// Writes NaN (joint not recorded) as null.
 Written numbersJson(const std::vector<double>& numbers, bool whole) {
@@ -492,8 +427,7 @@ Written cornersJson(const BoardCorners& corners, const json& read) {
   return mergeUnknownKeys({{"board", corners.board}, {"ids", corners.ids}, {"uv", uv}}, read);
 }
 
-} // namespace
-
+/// Formats a capture as an entry of `captures`. `read`: the entry it was read from, or null.
 Written captureJson(const Capture& capture, const json& read) {
   Written known{{"id", capture.id},
                 {"pose", capture.pose},
@@ -520,6 +454,59 @@ Written captureJson(const Capture& capture, const json& read) {
     }
   }
   return mergeUnknownKeys(known, read);
+}
+
+} // namespace
+
+LoadedCaptureSet parseCaptureSet(const std::string& text, const std::string& name, BadCapturePolicy bad) {
+  LoadedCaptureSet read;
+  CaptureSet& set = read.set;
+  set.name = name;
+  set.source = std::make_shared<const json>(parseJson(text, name));
+  const JsonCursor top{*set.source, name};
+  requireFormat(top);
+  readRobot(top.at("robot"), set);
+  set.jointNames = readJointNames(top.at("jointNames"));
+  for (const auto& [camera, place] : top.at("cameras").members()) {
+    set.cameras.emplace(camera, readCamera(place));
+  }
+  set.boards = readList(top.at("boards"), readBoard);
+  requireDistinctMarkers(set.boards, top.at("boards"));
+  set.stances = readList(top.at("stances"), readStance);
+  readCaptures(top.at("captures"), bad, read);
+  return read;
+}
+
+LoadedCaptureSet readCaptureSet(const std::filesystem::path& folder, BadCapturePolicy bad) {
+  const auto file = folder / "captures.json";
+  LoadedCaptureSet read = parseCaptureSet(readFile(file), file.string(), bad);
+  read.set.name = std::filesystem::canonical(folder).filename().string();
+  return read;
+}
+
+std::string formatCaptureSet(const CaptureSet& set) {
+  const json none;
+  Written whole = setJson(set, set.source ? *set.source : none);
+  for (const Capture& capture : set.captures) {
+    whole["captures"].push_back(captureJson(capture, capture.source ? *capture.source : none));
+  }
+  std::string text{"{"};
+  for (const auto& [key, value] : whole.items()) {
+    const bool holdsMany = key == "cameras" || key == "boards" || key == "stances" || key == "captures";
+    text += fmt::format("{}\n {}: {}", text.size() > 1 ? "," : "", compactText(key),
+                        holdsMany ? formatLines(value) : compactText(value));
+  }
+  return text + "\n}\n";
+}
+
+void writeCaptureSet(const CaptureSet& set, const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) {
+    throw InputError{
+        fmt::format("{}: the folder cannot be made: {}; choose another place", folder.string(), error.message())};
+  }
+  writeAtomically(folder / "captures.json", formatCaptureSet(set));
 }
 
 } // namespace naocal

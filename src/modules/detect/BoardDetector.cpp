@@ -24,16 +24,12 @@
 
 namespace naocal {
 
-/// Adds one board's corners and issues to `detection`. Accepts corners if at least six were found (fewer on a small
-/// board), half of the markers read agree with them, and the print beside them matches the pattern. `markers`: those of
-/// this board. Requires `board.pattern`.
-void detectBoard(const Board& board, const std::vector<Marker>& markers, const SmoothImage& picture,
-                 const LensDistortion& lens, Detection& detection);
-
 namespace {
 
-constexpr std::size_t fewestCorners = 6;       // required corners; fewer cannot check each other
+constexpr std::size_t fewestCorners = 6; // required corners; fewer cannot check each other
+
 constexpr std::size_t fewestForHomography = 4; // for boards with fewer corners
+
 constexpr double leastLikeness = 0.55; // correlation; 0.7 at the limit of visibility, below 0.5 with half wrong markers
 
 /// Whether at least three markers were read and fewer than half of them agree with the board's description.
@@ -137,14 +133,13 @@ private:
   Detection& detection_;
 };
 
-} // namespace
-
+/// Adds one board's corners and issues to `detection`. Accepts corners if at least six were found (fewer on a small
+/// board), half of the markers read agree with them, and the print beside them matches the pattern. `markers`: those of
+/// this board. Requires `board.pattern`.
 void detectBoard(const Board& board, const std::vector<Marker>& markers, const SmoothImage& picture,
                  const LensDistortion& lens, Detection& detection) {
   BoardDetection{board, picture, lens, detection}.run(markers);
 }
-
-namespace {
 
 constexpr double smoothing = 0.8; // [px] sigma of the blur before corner refinement
 
@@ -168,6 +163,40 @@ void reportUnknown(const std::string& dictionary, const std::vector<Marker>& mar
         {IssueKind::unknownMarkers,
          fmt::format("{} markers that belong to none of the boards: {}", dictionary, fmt::join(unknown, ", "))});
   }
+}
+
+/// Result of one picture; empty if it was not reached.
+struct Outcome {
+  std::optional<Detection> detection;
+  std::string unreadable;
+};
+
+Outcome detectInCapture(const Capture& capture, const CaptureSet& set, const std::filesystem::path& folder) {
+  try {
+    const Detection detection =
+        detectBoards(readImage(folder / capture.image), set.boards, set.cameras.at(capture.camera));
+    for (const DetectionIssue& finding : detection.findings) {
+      if (finding.kind == IssueKind::wrongImageSize) {
+        return {std::nullopt, fmt::format("capture {}: {}: {}", capture.id, capture.image, finding.sentence)};
+      }
+    }
+    return {detection, {}};
+  } catch (const InputError& error) {
+    return {std::nullopt, fmt::format("capture {}: {}", capture.id, error.what())};
+  }
+}
+
+/// Corners to keep: those of targets without a pattern, which cannot be detected.
+std::vector<BoardCorners> keepOtherCorners(const Capture& capture, const CaptureSet& set) {
+  std::vector<BoardCorners> result;
+  for (const BoardCorners& corners : capture.corners.value_or(std::vector<BoardCorners>{})) {
+    const auto board = std::find_if(set.boards.begin(), set.boards.end(),
+                                    [&](const Board& candidate) { return candidate.id == corners.board; });
+    if (board != set.boards.end() && !board->pattern) {
+      result.push_back(corners);
+    }
+  }
+  return result;
 }
 
 } // namespace
@@ -224,44 +253,6 @@ std::string toString(IssueKind kind) {
   assert(false);
   return {};
 }
-
-namespace {
-
-/// Result of one picture; empty if it was not reached.
-struct Outcome {
-  std::optional<Detection> detection;
-  std::string unreadable;
-};
-
-Outcome detectInCapture(const Capture& capture, const CaptureSet& set, const std::filesystem::path& folder) {
-  try {
-    const Detection detection =
-        detectBoards(readImage(folder / capture.image), set.boards, set.cameras.at(capture.camera));
-    for (const DetectionIssue& finding : detection.findings) {
-      if (finding.kind == IssueKind::wrongImageSize) {
-        return {std::nullopt, fmt::format("capture {}: {}: {}", capture.id, capture.image, finding.sentence)};
-      }
-    }
-    return {detection, {}};
-  } catch (const InputError& error) {
-    return {std::nullopt, fmt::format("capture {}: {}", capture.id, error.what())};
-  }
-}
-
-/// Corners to keep: those of targets without a pattern, which cannot be detected.
-std::vector<BoardCorners> keepOtherCorners(const Capture& capture, const CaptureSet& set) {
-  std::vector<BoardCorners> result;
-  for (const BoardCorners& corners : capture.corners.value_or(std::vector<BoardCorners>{})) {
-    const auto board = std::find_if(set.boards.begin(), set.boards.end(),
-                                    [&](const Board& candidate) { return candidate.id == corners.board; });
-    if (board != set.boards.end() && !board->pattern) {
-      result.push_back(corners);
-    }
-  }
-  return result;
-}
-
-} // namespace
 
 SetDetection detectInSet(CaptureSet& set, const std::filesystem::path& folder, unsigned threads,
                          const DetectionProgress& progress) {

@@ -17,11 +17,17 @@ namespace naocal {
 namespace {
 
 constexpr double tightest = 0.3, loosest = 0.7; // [px] bounds of the largest distance from the predicted position
-constexpr double timesMedian = 6;               // largest distance relative to the median
-constexpr double walkingDistance = 1.5;         // [squares] from known points to a searched corner
-constexpr double longestMove = 2.0;             // [px] from prediction to refined position, lower bound
+
+constexpr double timesMedian = 6; // largest distance relative to the median
+
+constexpr double walkingDistance = 1.5; // [squares] from known points to a searched corner
+
+constexpr double longestMove = 2.0; // [px] from prediction to refined position, lower bound
+
 constexpr double longestMoveInSquares = 0.1;
-constexpr double leastContrast = 10;   // [grey level] below it there is no corner
+
+constexpr double leastContrast = 10; // [grey level] below it there is no corner
+
 constexpr double mostAsymmetry = 0.03; // above it there is no corner; 0.001 to 0.01 for an unobstructed window
 
 class Walk {
@@ -194,17 +200,10 @@ private:
   std::map<int, RejectedCorner> refused_;
 };
 
-} // namespace
-
-BoardSearchResult searchBoard(const SmoothImage& picture, const LensDistortion& lens, const CharucoPattern& pattern,
-                              const std::vector<PointMatch>& markerCorners) {
-  return Walk{picture, lens, pattern, markerCorners}.result();
-}
-
-namespace {
-
 constexpr double leastTolerance = 3; // [px]
+
 constexpr double toleranceInSides = 0.1;
+
 constexpr double markerWeight = 0.04; // relative to a refined corner: a marker corner is about five times less accurate
 
 std::vector<PointMatch> matchMarker(const Marker& marker, const CharucoPattern& pattern, const LensDistortion& lens) {
@@ -217,6 +216,11 @@ std::vector<PointMatch> matchMarker(const Marker& marker, const CharucoPattern& 
 }
 
 } // namespace
+
+BoardSearchResult searchBoard(const SmoothImage& picture, const LensDistortion& lens, const CharucoPattern& pattern,
+                              const std::vector<PointMatch>& markerCorners) {
+  return Walk{picture, lens, pattern, markerCorners}.result();
+}
 
 MarkerAgreement findAgreeingMarkers(const std::vector<Marker>& markers, const CharucoPattern& pattern,
                                     const LensDistortion& lens) {

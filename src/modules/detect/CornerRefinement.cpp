@@ -13,6 +13,7 @@ namespace naocal {
 namespace {
 
 constexpr int iterations = 20;
+
 constexpr double longestStep = 0.7, negligibleStep = 1e-3; // [px]
 
 /// One Gauss-Newton step from `place`; absent at the edge of the picture or without texture.
@@ -51,30 +52,8 @@ CornerFit judgeCorner(const SmoothImage& picture, const std::vector<SymmetricPai
   return {place, sum[1] / weight[1] - sum[0] / weight[0], differences / (all * variance)};
 }
 
-} // namespace
+constexpr double scope = 2; // [squares]
 
-std::optional<CornerFit> fitCorner(const SmoothImage& picture, const std::vector<SymmetricPair>& pairs,
-                                   const Eigen::Vector2d& start, double maximalMove) {
-  Eigen::Vector2d place = start;
-  for (int i = 0; i < iterations; ++i) {
-    const auto move = step(picture, pairs, place);
-    if (!move || (place + *move - start).norm() > maximalMove) {
-      return std::nullopt;
-    }
-    place += *move;
-    if (move->norm() < negligibleStep) {
-      break;
-    }
-  }
-  const bool inside = std::all_of(pairs.begin(), pairs.end(), [&](const SymmetricPair& pair) {
-    return picture.contains(place + pair.one) && picture.contains(place + pair.other);
-  });
-  return inside ? std::optional{judgeCorner(picture, pairs, place)} : std::nullopt;
-}
-
-namespace {
-
-constexpr double scope = 2;         // [squares]
 constexpr double perspective = 0.1; // prior of the perspective change per square; stabilises four noisy corners
 
 /// Similarity that centres the matches and scales their spread to about one.
@@ -97,7 +76,52 @@ Eigen::Matrix3d normalisation(const std::vector<PointMatch>& observations) {
   return matrix;
 }
 
+constexpr double narrowest = 2.0, widest = 7.0; // half the window [px]
+
+constexpr double spacing = 0.7; // of the sample points [px]
+
+/// Half extent of the window in one direction of the board.
+struct Half {
+  double squares = 0;
+  int places = 0; // sample points on either side of the corner
+};
+
+Half half(double pixelsPerSquare, double reach) {
+  const double pixels = std::clamp(reach * pixelsPerSquare, narrowest, widest);
+  return {pixels / pixelsPerSquare, int(std::ceil(pixels / spacing))};
+}
+
+/// Catmull-Rom weights of the pixels at -1, 0, 1, 2 for a position `t` in [0, 1), and their derivatives with respect to
+/// `t`.
+struct CubicWeights {
+  explicit CubicWeights(double t)
+      : value{0.5 * t * (-1 + t * (2 - t)), 1 + 0.5 * t * t * (-5 + 3 * t), 0.5 * t * (1 + t * (4 - 3 * t)),
+              0.5 * t * t * (t - 1)},
+        slope{0.5 * (-1 + t * (4 - 3 * t)), 0.5 * t * (-10 + 9 * t), 0.5 * (1 + t * (8 - 9 * t)),
+              0.5 * t * (3 * t - 2)} {}
+  std::array<double, 4> value, slope;
+};
+
 } // namespace
+
+std::optional<CornerFit> fitCorner(const SmoothImage& picture, const std::vector<SymmetricPair>& pairs,
+                                   const Eigen::Vector2d& start, double maximalMove) {
+  Eigen::Vector2d place = start;
+  for (int i = 0; i < iterations; ++i) {
+    const auto move = step(picture, pairs, place);
+    if (!move || (place + *move - start).norm() > maximalMove) {
+      return std::nullopt;
+    }
+    place += *move;
+    if (move->norm() < negligibleStep) {
+      break;
+    }
+  }
+  const bool inside = std::all_of(pairs.begin(), pairs.end(), [&](const SymmetricPair& pair) {
+    return picture.contains(place + pair.one) && picture.contains(place + pair.other);
+  });
+  return inside ? std::optional{judgeCorner(picture, pairs, place)} : std::nullopt;
+}
 
 std::optional<Eigen::Matrix3d> fitLocalHomography(const std::vector<PointMatch>& observations,
                                                   const Eigen::Vector2d& around) {
@@ -126,24 +150,6 @@ std::optional<Eigen::Matrix3d> fitLocalHomography(const std::vector<PointMatch>&
   return normalised.inverse() * centred * shift;
 }
 
-namespace {
-
-constexpr double narrowest = 2.0, widest = 7.0; // half the window [px]
-constexpr double spacing = 0.7;                 // of the sample points [px]
-
-/// Half extent of the window in one direction of the board.
-struct Half {
-  double squares = 0;
-  int places = 0; // sample points on either side of the corner
-};
-
-Half half(double pixelsPerSquare, double reach) {
-  const double pixels = std::clamp(reach * pixelsPerSquare, narrowest, widest);
-  return {pixels / pixelsPerSquare, int(std::ceil(pixels / spacing))};
-}
-
-} // namespace
-
 std::vector<SymmetricPair> symmetricPairs(const std::function<Eigen::Vector2d(const Eigen::Vector2d&)>& pixelFromBoard,
                                           const Eigen::Vector2d& corner, double reach, bool risingIsWhite) {
   const Eigen::Vector2d centre = pixelFromBoard(corner);
@@ -163,21 +169,6 @@ std::vector<SymmetricPair> symmetricPairs(const std::function<Eigen::Vector2d(co
   }
   return pairs;
 }
-
-namespace {
-
-/// Catmull-Rom weights of the pixels at -1, 0, 1, 2 for a position `t` in [0, 1), and their derivatives with respect to
-/// `t`.
-struct CubicWeights {
-  explicit CubicWeights(double t)
-      : value{0.5 * t * (-1 + t * (2 - t)), 1 + 0.5 * t * t * (-5 + 3 * t), 0.5 * t * (1 + t * (4 - 3 * t)),
-              0.5 * t * t * (t - 1)},
-        slope{0.5 * (-1 + t * (4 - 3 * t)), 0.5 * t * (-10 + 9 * t), 0.5 * (1 + t * (8 - 9 * t)),
-              0.5 * t * (3 * t - 2)} {}
-  std::array<double, 4> value, slope;
-};
-
-} // namespace
 
 SmoothImage::SmoothImage(const GreyPicture& picture, double blur)
     : width_{picture.width}, height_{picture.height}, pixels_(picture.pixels.size()) {

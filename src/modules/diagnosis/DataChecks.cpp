@@ -96,63 +96,6 @@ bool mayBeMirrored(const CandidateTests& candidateTests, std::size_t motor) {
   return true;
 }
 
-} // namespace
-
-std::vector<DataAnomaly> findAnomalies(const FittedModel& fitted, const CandidateTests& candidateTests) {
-  const auto mirrored = [&](std::size_t motor) { return mayBeMirrored(candidateTests, motor); };
-  GrossMisfit misfit = GrossMisfit::assess(fitted.fit, fitted.model);
-  if (misfit.rmsPx > threshold::grossPx) {
-    misfit.explainedPx = rmsBesideLikeliest(candidateTests, fitted.measurements, fitted.model);
-  }
-  if (const auto setUp = findSetupError(fitted.measurements, misfit, mirrored)) {
-    return {*setUp};
-  }
-  std::vector<DataAnomaly> result = findTransientAnomalies(fitted, candidateTests);
-  if (result.empty()) { // an accident is far likelier than any effect, if it is named
-    if (const auto setUp = findSetUp(candidateTests, fitted.measurements)) {
-      result.push_back(*setUp);
-    }
-  }
-  return result;
-}
-
-std::vector<DataAnomaly> findTransientAnomalies(const FittedModel& fitted, const CandidateTests& candidateTests) {
-  const auto likeliest = findLikeliestEvent(fitted, candidateTests);
-  if (!likeliest) {
-    return {};
-  }
-  const auto& [event, odds, why] = *likeliest;
-  if (event.captures.empty()) {
-    return {{.capture = {}, .why = why, .odds = odds, .when = event.from.value()}};
-  }
-  std::vector<DataAnomaly> result;
-  for (const int id : event.captures) {
-    const std::string said = result.empty() ? why : fmt::format("capture {} was taken with it", id);
-    result.push_back({.capture = id, .why = said, .set = event.set, .odds = odds});
-  }
-  return result;
-}
-
-std::vector<DataAnomaly> findDisplacedBoards(const Measurements& measurements, const CalibrationResult& fit) {
-  std::vector<DataAnomaly> result;
-  for (const Outlier& outlier : fit.outliers) {
-    if (outlier.whole) {
-      const ImageObservation& picture = measurements.pictures[outlier.picture];
-      const int id = measurements.captureOf(picture).id;
-      const std::string& board = measurements.targets[picture.observations[outlier.observation].view.board()].name;
-      result.push_back(
-          {.capture = id,
-           .why = fmt::format("board {} in capture {} lies {:.0f} px from where all other captures put it: "
-                              "it or the robot was moved for a moment, or the picture is another one",
-                              board, id, outlier.distance),
-           .set = picture.set});
-    }
-  }
-  return result;
-}
-
-namespace {
-
 constexpr std::size_t mostApproaches = 6, mostPoses = 3; // upper limits of the candidates
 
 /// Pictures of one approach or pose.
@@ -217,6 +160,59 @@ std::vector<Together> selectWorst(std::vector<Together> all, std::size_t most) {
 }
 
 } // namespace
+
+std::vector<DataAnomaly> findAnomalies(const FittedModel& fitted, const CandidateTests& candidateTests) {
+  const auto mirrored = [&](std::size_t motor) { return mayBeMirrored(candidateTests, motor); };
+  GrossMisfit misfit = GrossMisfit::assess(fitted.fit, fitted.model);
+  if (misfit.rmsPx > threshold::grossPx) {
+    misfit.explainedPx = rmsBesideLikeliest(candidateTests, fitted.measurements, fitted.model);
+  }
+  if (const auto setUp = findSetupError(fitted.measurements, misfit, mirrored)) {
+    return {*setUp};
+  }
+  std::vector<DataAnomaly> result = findTransientAnomalies(fitted, candidateTests);
+  if (result.empty()) { // an accident is far likelier than any effect, if it is named
+    if (const auto setUp = findSetUp(candidateTests, fitted.measurements)) {
+      result.push_back(*setUp);
+    }
+  }
+  return result;
+}
+
+std::vector<DataAnomaly> findTransientAnomalies(const FittedModel& fitted, const CandidateTests& candidateTests) {
+  const auto likeliest = findLikeliestEvent(fitted, candidateTests);
+  if (!likeliest) {
+    return {};
+  }
+  const auto& [event, odds, why] = *likeliest;
+  if (event.captures.empty()) {
+    return {{.capture = {}, .why = why, .odds = odds, .when = event.from.value()}};
+  }
+  std::vector<DataAnomaly> result;
+  for (const int id : event.captures) {
+    const std::string said = result.empty() ? why : fmt::format("capture {} was taken with it", id);
+    result.push_back({.capture = id, .why = said, .set = event.set, .odds = odds});
+  }
+  return result;
+}
+
+std::vector<DataAnomaly> findDisplacedBoards(const Measurements& measurements, const CalibrationResult& fit) {
+  std::vector<DataAnomaly> result;
+  for (const Outlier& outlier : fit.outliers) {
+    if (outlier.whole) {
+      const ImageObservation& picture = measurements.pictures[outlier.picture];
+      const int id = measurements.captureOf(picture).id;
+      const std::string& board = measurements.targets[picture.observations[outlier.observation].view.board()].name;
+      result.push_back(
+          {.capture = id,
+           .why = fmt::format("board {} in capture {} lies {:.0f} px from where all other captures put it: "
+                              "it or the robot was moved for a moment, or the picture is another one",
+                              board, id, outlier.distance),
+           .set = picture.set});
+    }
+  }
+  return result;
+}
 
 std::vector<TransientEvent> enumerateWrongAngles(const Measurements& measurements, const CalibrationResult& fit) {
   std::map<std::size_t, std::vector<const BoardResidual*>> byPicture;

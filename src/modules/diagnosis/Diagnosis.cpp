@@ -19,17 +19,13 @@
 
 namespace naocal {
 
+namespace {
+
 /// A model, its fit, and its candidate tests.
 struct DiagnosedModel {
   FittedModel fitted;
   const CandidateTests& candidateTests;
 };
-
-/// Adds the figures to a finished diagnosis: captures per pose, correlations of the first candidates, their signatures,
-/// and the residuals of both models. `given`: the model as given.
-void assembleFigures(const DiagnosedModel& given, const DiagnosedModel& last, Diagnosis& diagnosis);
-
-namespace {
 
 /// Whether a curve of the map explains the misfit better than `candidate` and than any other named effect, transient
 /// effects aside (they do not predict). The required lead grows with the evidence: a free curve mimics several effects
@@ -101,6 +97,40 @@ Diagnosis diagnoseUnfittable(const Measurements& measurements, const InputError&
   result.anomalies.push_back(setUp.value_or(DataAnomaly{{}, error.what()}));
   result.sentence = summarize(result);
   return result;
+}
+
+Figures::Left buildResidualViews(const DiagnosedModel& diagnosed) {
+  const FittedModel& fitted = diagnosed.fitted;
+  return {computeJointCorrections(fitted.measurements, diagnosed.candidateTests), computeResidualField(fitted),
+          estimateBoardShapes(fitted)};
+}
+
+/// Adds the figures to a finished diagnosis: captures per pose, correlations of the first candidates, their signatures,
+/// and the residuals of both models. `given`: the model as given.
+void assembleFigures(const DiagnosedModel& given, const DiagnosedModel& last, Diagnosis& diagnosis) {
+  constexpr std::size_t compared = 12, shown = 10;
+  diagnosis.figures.taken = indexCaptures(given.fitted.measurements);
+  std::vector<std::string> labels;
+  std::vector<std::size_t> candidates;
+  std::vector<CandidateFinding*> findings;
+  for (CandidateFinding& finding : diagnosis.ranking) {
+    labels.push_back(finding.term.label());
+    if (const auto candidate = given.candidateTests.findCandidate(labels.back());
+        candidate && candidates.size() < shown) {
+      candidates.push_back(*candidate);
+      findings.push_back(&finding);
+    }
+  }
+  diagnosis.figures.aliases = computeAliasMatrix(given.candidateTests, labels, compared);
+  std::vector<EffectSignature> looks = computeSignatures(given.fitted, given.candidateTests, candidates);
+  for (std::size_t i = 0; i < looks.size(); ++i) {
+    findings[i]->imprint = std::move(looks[i]);
+  }
+  diagnosis.figures.recorded = collectDrivers(given.fitted.measurements, given.fitted.model, given.fitted.fit.unknowns);
+  diagnosis.figures.given = buildResidualViews(given);
+  if (!diagnosis.suggested.empty()) {
+    diagnosis.figures.last = buildResidualViews(last);
+  }
 }
 
 /// Main loop: tests the model and adds missing effects until the alarm stops; then takes back additions that do not
@@ -256,42 +286,6 @@ Diagnosis diagnose(const Measurements& measurements, const DiagnosisOptions& opt
   }
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return result;
-}
-
-namespace {
-
-Figures::Left buildResidualViews(const DiagnosedModel& diagnosed) {
-  const FittedModel& fitted = diagnosed.fitted;
-  return {computeJointCorrections(fitted.measurements, diagnosed.candidateTests), computeResidualField(fitted),
-          estimateBoardShapes(fitted)};
-}
-
-} // namespace
-
-void assembleFigures(const DiagnosedModel& given, const DiagnosedModel& last, Diagnosis& diagnosis) {
-  constexpr std::size_t compared = 12, shown = 10;
-  diagnosis.figures.taken = indexCaptures(given.fitted.measurements);
-  std::vector<std::string> labels;
-  std::vector<std::size_t> candidates;
-  std::vector<CandidateFinding*> findings;
-  for (CandidateFinding& finding : diagnosis.ranking) {
-    labels.push_back(finding.term.label());
-    if (const auto candidate = given.candidateTests.findCandidate(labels.back());
-        candidate && candidates.size() < shown) {
-      candidates.push_back(*candidate);
-      findings.push_back(&finding);
-    }
-  }
-  diagnosis.figures.aliases = computeAliasMatrix(given.candidateTests, labels, compared);
-  std::vector<EffectSignature> looks = computeSignatures(given.fitted, given.candidateTests, candidates);
-  for (std::size_t i = 0; i < looks.size(); ++i) {
-    findings[i]->imprint = std::move(looks[i]);
-  }
-  diagnosis.figures.recorded = collectDrivers(given.fitted.measurements, given.fitted.model, given.fitted.fit.unknowns);
-  diagnosis.figures.given = buildResidualViews(given);
-  if (!diagnosis.suggested.empty()) {
-    diagnosis.figures.last = buildResidualViews(last);
-  }
 }
 
 } // namespace naocal

@@ -27,28 +27,6 @@ FitMinimum fitFrom(const Eigen::VectorXd& start, const FittedModel& fitted) {
   return refit(fitted.measurements, fitted.model, fitted.fit.noise, fitted.fit.loss, std::move(full), nearly).minimum;
 }
 
-} // namespace
-
-std::vector<std::optional<EventFit>> fitEvents(const std::vector<TransientEvent>& events, const FittedModel& fitted) {
-  const double without = fitFrom(fitted.fit.unknowns, fitted).linear.cost;
-  std::vector<std::optional<EventFit>> result(events.size());
-  parallelFor(events.size(), [&](std::size_t i) {
-    Model larger = fitted.model;
-    larger.add(events[i].term);
-    try {
-      const FitMinimum minimum =
-          fitFrom(mapParameters(fitted.model, fitted.fit.unknowns, larger), {fitted.measurements, larger, fitted.fit});
-      const Term& term = larger.terms().back();
-      result[i] = {2 * (without - minimum.linear.cost),
-                   minimum.state.unknowns.segment(static_cast<Eigen::Index>(term.first), term.sigmas().size())};
-    } catch (const InputError&) { // a corner behind the camera: no fit for this event
-    }
-  });
-  return result;
-}
-
-namespace {
-
 constexpr double millimetres = 1000; // per metre
 
 /// Sets are in chronological order.
@@ -215,6 +193,24 @@ std::vector<std::size_t> worstPictures(std::size_t most, const Measurements& mea
 }
 
 } // namespace
+
+std::vector<std::optional<EventFit>> fitEvents(const std::vector<TransientEvent>& events, const FittedModel& fitted) {
+  const double without = fitFrom(fitted.fit.unknowns, fitted).linear.cost;
+  std::vector<std::optional<EventFit>> result(events.size());
+  parallelFor(events.size(), [&](std::size_t i) {
+    Model larger = fitted.model;
+    larger.add(events[i].term);
+    try {
+      const FitMinimum minimum =
+          fitFrom(mapParameters(fitted.model, fitted.fit.unknowns, larger), {fitted.measurements, larger, fitted.fit});
+      const Term& term = larger.terms().back();
+      result[i] = {2 * (without - minimum.linear.cost),
+                   minimum.state.unknowns.segment(static_cast<Eigen::Index>(term.first), term.sigmas().size())};
+    } catch (const InputError&) { // a corner behind the camera: no fit for this event
+    }
+  });
+  return result;
+}
 
 bool isSameThing(const TransientEvent& one, const TransientEvent& other) {
   if (!one.from || !other.from) {

@@ -92,6 +92,33 @@ void nameEquivalents(const CandidateTests& last, std::vector<CandidateFinding>& 
   }
 }
 
+/// Calibration with a fallback: if an accident makes the search infeasible, fixes joints to their readings and keeps
+/// all corners at full weight.
+CalibrationResult calibrateOrHold(const Measurements& measurements, const Model& model, CalibrationOptions options) {
+  try {
+    return calibrate(measurements, model, options);
+  } catch (const InputError&) {
+    options.estimateNoise = options.robust = false;
+    options.noise.pose = options.noise.reapproach = options.noise.stance = 0;
+    return calibrate(measurements, model, options);
+  }
+}
+
+/// The limit in which `whole` becomes `part`, or null.
+const Limit* findLimit(const Effect& part, const Effect& whole) {
+  const auto found = std::find_if(whole.limits.begin(), whole.limits.end(),
+                                  [&](const Limit& limit) { return limit.effect == part.name; });
+  return found == whole.limits.end() ? nullptr : &*found;
+}
+
+/// Wald test: whether chi2 exceeds leastZ^2 per unknown.
+bool isNeeded(const Term& term, const CalibrationResult& fit, double leastZ = 2) {
+  const auto first = static_cast<Eigen::Index>(term.first), count = term.sigmas().size();
+  const Eigen::VectorXd values = fit.unknowns.segment(first, count);
+  const double chi2 = values.dot(fit.covariance.block(first, first, count, count).ldlt().solve(values));
+  return chi2 > leastZ * leastZ * static_cast<double>(count);
+}
+
 } // namespace
 
 std::vector<CandidateFinding> judgeCandidates(std::vector<CandidateFinding> findings, const CandidateTests& last,
@@ -121,22 +148,6 @@ std::vector<CandidateFinding> judgeCandidates(std::vector<CandidateFinding> find
   });
   return findings;
 }
-
-namespace {
-
-/// Calibration with a fallback: if an accident makes the search infeasible, fixes joints to their readings and keeps
-/// all corners at full weight.
-CalibrationResult calibrateOrHold(const Measurements& measurements, const Model& model, CalibrationOptions options) {
-  try {
-    return calibrate(measurements, model, options);
-  } catch (const InputError&) {
-    options.estimateNoise = options.robust = false;
-    options.noise.pose = options.noise.reapproach = options.noise.stance = 0;
-    return calibrate(measurements, model, options);
-  }
-}
-
-} // namespace
 
 StepwiseSelection::StepwiseSelection(const Measurements& measurements, const Model& model,
                                      const DiagnosisOptions& options)
@@ -268,25 +279,6 @@ void StepwiseSelection::recordStep(const CandidateTests& candidateTests, Diagnos
   }
   diagnosis.steps.push_back(std::move(step));
 }
-
-namespace {
-
-/// The limit in which `whole` becomes `part`, or null.
-const Limit* findLimit(const Effect& part, const Effect& whole) {
-  const auto found = std::find_if(whole.limits.begin(), whole.limits.end(),
-                                  [&](const Limit& limit) { return limit.effect == part.name; });
-  return found == whole.limits.end() ? nullptr : &*found;
-}
-
-/// Wald test: whether chi2 exceeds leastZ^2 per unknown.
-bool isNeeded(const Term& term, const CalibrationResult& fit, double leastZ = 2) {
-  const auto first = static_cast<Eigen::Index>(term.first), count = term.sigmas().size();
-  const Eigen::VectorXd values = fit.unknowns.segment(first, count);
-  const double chi2 = values.dot(fit.covariance.block(first, first, count, count).ldlt().solve(values));
-  return chi2 > leastZ * leastZ * static_cast<double>(count);
-}
-
-} // namespace
 
 bool isTransient(const Effect& effect) {
   return std::any_of(effect.needs.begin(), effect.needs.end(),

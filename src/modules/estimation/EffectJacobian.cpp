@@ -78,6 +78,64 @@ private:
   std::vector<char> joints_;
 };
 
+double& driverIn(RobotSample& instant, const RemoteDriver& which) {
+  switch (which.driver) {
+  case Driver::torque:
+    return instant.torque[eigenIndex(which.joint)];
+  case Driver::torqueGrowth:
+    return instant.torqueGrowth[eigenIndex(which.joint)];
+  case Driver::com:
+    return instant.com[eigenIndex(which.joint)];
+  default:
+    return instant.q[eigenIndex(which.joint)];
+  }
+}
+
+double derivativeByOffset(const DriverState& driven, const RemoteDriver& which, std::size_t offset) {
+  switch (which.driver) {
+  case Driver::torque:
+    return driven.torqueByOffset(eigenIndex(which.joint), eigenIndex(offset));
+  case Driver::torqueGrowth:
+    return driven.growthByOffset(eigenIndex(which.joint), eigenIndex(offset));
+  case Driver::com:
+    return driven.comByOffset(eigenIndex(which.joint), eigenIndex(offset));
+  default:
+    return driven.angleByOffset(eigenIndex(which.joint), eigenIndex(offset));
+  }
+}
+
+/// Steps of the central differences; small, because of the third derivative of tanh(tau / 0.03 Nm).
+double stepOf(Driver driver) {
+  return driver == Driver::torque ? 3e-6 : driver == Driver::com ? 1e-5 : 1e-4; // [Nm], [m], [rad]
+}
+
+/// Evaluates one correction: the change of each of its quantities at given values and drivers.
+class Correction {
+public:
+  Correction(const Effect& effect, std::size_t place, const std::vector<std::size_t>& quantities,
+             const ModelState& drawn, ModelState& scratch)
+      : effect_{effect}, place_{place}, quantities_{quantities}, drawn_{drawn}, scratch_{scratch} {}
+
+  /// Calls `take(i, change)` for the i-th quantity.
+  template <typename Take>
+  void operator()(const RobotSample& instant, std::span<const double> values, Take take) const {
+    effect_.correct(scratch_, instant, place_, values);
+    for (std::size_t i = 0; i < quantities_.size(); ++i) {
+      double& value = scratch_.values[eigenIndex(quantities_[i])];
+      const double before = drawn_.values[eigenIndex(quantities_[i])];
+      take(i, value - before);
+      value = before;
+    }
+  }
+
+private:
+  const Effect& effect_;
+  std::size_t place_;
+  const std::vector<std::size_t>& quantities_;
+  const ModelState& drawn_;
+  ModelState& scratch_;
+};
+
 } // namespace
 
 EffectJacobian::EffectJacobian(const Measurements& measurements, const Model& model, const ImageObservation& picture) {
@@ -181,68 +239,6 @@ std::vector<StateDerivative> evaluateJacobian(const Measurements& measurements, 
   }
   return result;
 }
-
-namespace {
-
-double& driverIn(RobotSample& instant, const RemoteDriver& which) {
-  switch (which.driver) {
-  case Driver::torque:
-    return instant.torque[eigenIndex(which.joint)];
-  case Driver::torqueGrowth:
-    return instant.torqueGrowth[eigenIndex(which.joint)];
-  case Driver::com:
-    return instant.com[eigenIndex(which.joint)];
-  default:
-    return instant.q[eigenIndex(which.joint)];
-  }
-}
-
-double derivativeByOffset(const DriverState& driven, const RemoteDriver& which, std::size_t offset) {
-  switch (which.driver) {
-  case Driver::torque:
-    return driven.torqueByOffset(eigenIndex(which.joint), eigenIndex(offset));
-  case Driver::torqueGrowth:
-    return driven.growthByOffset(eigenIndex(which.joint), eigenIndex(offset));
-  case Driver::com:
-    return driven.comByOffset(eigenIndex(which.joint), eigenIndex(offset));
-  default:
-    return driven.angleByOffset(eigenIndex(which.joint), eigenIndex(offset));
-  }
-}
-
-/// Steps of the central differences; small, because of the third derivative of tanh(tau / 0.03 Nm).
-double stepOf(Driver driver) {
-  return driver == Driver::torque ? 3e-6 : driver == Driver::com ? 1e-5 : 1e-4; // [Nm], [m], [rad]
-}
-
-/// Evaluates one correction: the change of each of its quantities at given values and drivers.
-class Correction {
-public:
-  Correction(const Effect& effect, std::size_t place, const std::vector<std::size_t>& quantities,
-             const ModelState& drawn, ModelState& scratch)
-      : effect_{effect}, place_{place}, quantities_{quantities}, drawn_{drawn}, scratch_{scratch} {}
-
-  /// Calls `take(i, change)` for the i-th quantity.
-  template <typename Take>
-  void operator()(const RobotSample& instant, std::span<const double> values, Take take) const {
-    effect_.correct(scratch_, instant, place_, values);
-    for (std::size_t i = 0; i < quantities_.size(); ++i) {
-      double& value = scratch_.values[eigenIndex(quantities_[i])];
-      const double before = drawn_.values[eigenIndex(quantities_[i])];
-      take(i, value - before);
-      value = before;
-    }
-  }
-
-private:
-  const Effect& effect_;
-  std::size_t place_;
-  const std::vector<std::size_t>& quantities_;
-  const ModelState& drawn_;
-  ModelState& scratch_;
-};
-
-} // namespace
 
 void EffectJacobian::applyVarying(const Model& model, const ImageObservation& picture, const Eigen::VectorXd& unknowns,
                                   DriverState& driven, Scratch& scratch, ModelState& modelState, double* values) const {

@@ -15,10 +15,6 @@
 
 namespace naocal {
 
-/// Adds unknown placements of boards and stances that the pictures depend on. On the floor: x, y, yaw; on a link: all
-/// six, or three for a single mark. Prior sigma: the set's own (`placementSigma`), else practically unconstrained.
-void addPlacementTerms(const Measurements& measurements, Model& model);
-
 namespace {
 
 using NamedPlaces = std::vector<std::pair<std::size_t, std::string>>;
@@ -131,6 +127,168 @@ const char* missingInput(const RobotSample& instant, Driver driver, std::size_t 
   return nullptr;
 }
 
+/// Whether `text` matches `pattern`, where '*' stands for any run of characters.
+bool matches(std::string_view pattern, std::string_view text) {
+  if (pattern.empty()) {
+    return text.empty();
+  }
+  if (pattern.front() == '*') {
+    return matches(pattern.substr(1), text) || (!text.empty() && matches(pattern, text.substr(1)));
+  }
+  return !text.empty() && pattern.front() == text.front() && matches(pattern.substr(1), text.substr(1));
+}
+
+[[noreturn]] void refuse(const std::string& wanted, const std::vector<std::string>& known) {
+  const std::string_view effect = std::string_view{wanted}.substr(0, wanted.find('@'));
+  std::vector<std::string> places; // sites of that effect
+  std::copy_if(known.begin(), known.end(), std::back_inserter(places),
+               [&](const std::string& label) { return std::string_view{label}.substr(0, label.find('@')) == effect; });
+  if (places.empty()) {
+    throw InputError{fmt::format("'{}' names no effect at a place of these captures; near it are {} ('naocal effects' "
+                                 "lists all effects)",
+                                 wanted, fmt::join(closestNames(wanted, known), ", "))};
+  }
+  if (wanted.find('@') == std::string::npos) {
+    throw InputError{
+        fmt::format("'{0}' names no place: write {0}@PLACE, such as {1}, or {0}@*", wanted, places.front())};
+  }
+  throw InputError{fmt::format("'{}' names no place of {} in these captures; near it are {}", wanted, effect,
+                               fmt::join(closestNames(wanted, places), ", "))};
+}
+
+/// A pattern "E@P" with '*', and whether it has matched.
+struct Pattern {
+  std::string given;
+  bool used = false;
+  std::string undriven = ""; // reason, if all its matches lack their drivers
+
+  /// A motor's effect matches under either of its joints; '*' does not match "all".
+  bool names(const Term& term, const Robot& robot) const {
+    const std::string motors = term.effect.place == EffectSite::motor ? labelFor(given, robot) : given;
+    const bool onePlace = term.effect.place == EffectSite::board && term.site == allSites;
+    return onePlace ? matches(motors.substr(0, motors.find('@')), term.effect.name) && motors.ends_with("@all")
+                    : matches(motors, term.label());
+  }
+};
+
+std::vector<Pattern> patterns(const std::vector<std::string>& given) {
+  std::vector<Pattern> result;
+  for (const std::string& pattern : given) {
+    result.push_back({pattern});
+  }
+  return result;
+}
+
+/// Whether any pattern names the term.
+bool anyNames(const std::vector<Pattern>& patterns, const Term& term, const Robot& robot) {
+  return std::any_of(patterns.begin(), patterns.end(),
+                     [&](const Pattern& pattern) { return pattern.names(term, robot); });
+}
+
+/// Marks matching patterns as used, or records why the term cannot be used.
+void mark(std::vector<Pattern>& patterns, const Term& term, const Robot& robot,
+          const std::optional<std::string>& undriven = std::nullopt) {
+  for (Pattern& pattern : patterns) {
+    if (pattern.names(term, robot)) {
+      pattern.used |= !undriven;
+      pattern.undriven =
+          undriven ? term.label() + " cannot be estimated from these captures: " + *undriven : pattern.undriven;
+    }
+  }
+}
+
+bool looksAtWeight(const Term& term) {
+  const auto weighs = [](Driver driver) { return driver == Driver::torque || driver == Driver::com; };
+  return std::any_of(term.effect.needs.begin(), term.effect.needs.end(), weighs) ||
+         std::any_of(term.effect.elsewhere.begin(), term.effect.elsewhere.end(),
+                     [&](const RemoteDriver& other) { return weighs(other.driver); });
+}
+
+/// Offsets of recorded joints outside all observation chains: they move only mass, but affect the torques of others.
+std::vector<Term> weighingOffsets(const Measurements& measurements) {
+  std::vector<Term> result;
+  for (const std::size_t motor : measurements.recordedMotors) {
+    if (!std::binary_search(measurements.joints.begin(), measurements.joints.end(), motor)) {
+      result.push_back({jointOffset(), motor, measurements.robot.joints[motor].name, 0, false, false});
+    }
+  }
+  return result;
+}
+
+/// Additive correction of linkFromBoard or worldFromSole; unknowns are named after the placement's components.
+Effect placementEffect(EffectSite place, const std::vector<std::size_t>& numbers, const std::vector<double>& sigmas) {
+  static const std::vector<Unknown> all{{"x", "m", 0},      {"y", "m", 0},       {"z", "m", 0},
+                                        {"roll", "rad", 0}, {"pitch", "rad", 0}, {"yaw", "rad", 0}};
+  Effect effect{.name = place == EffectSite::board ? effectName::boardPlacement : effectName::stancePlacement,
+                .what = "where it lies or stands",
+                .formula = "placement = start + (x, y, z, roll, pitch, yaw)",
+                .place = place,
+                .unknowns = {},
+                .correct = {}};
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    effect.unknowns.push_back(all[numbers[i]]);
+    effect.unknowns.back().sigma = sigmas[i];
+  }
+  effect.correct = [place, numbers](ModelState& modelState, const RobotSample&, std::size_t at,
+                                    std::span<const double> values) {
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      const auto number = static_cast<Eigen::Index>(numbers[i]);
+      (place == EffectSite::board ? modelState.boardPlacement(at) : modelState.worldFromSupport())[number] += values[i];
+    }
+  };
+  return effect;
+}
+
+constexpr double anywhere = 10; // [m]: floor placement without a guess
+
+constexpr double anyDirection = 10; // [rad]
+
+void addBoardPlacement(const Measurements& measurements, std::size_t index, Model& model) {
+  const Target& target = measurements.targets[index];
+  std::vector<std::size_t> numbers{0, 1, 5};
+  std::vector<double> sigmas{anywhere, anywhere, anyDirection};
+  if (!target.onFloor) {
+    numbers = target.board.points.size() == 1 ? std::vector<std::size_t>{0, 1, 2}
+                                              : std::vector<std::size_t>{0, 1, 2, 3, 4, 5};
+    sigmas = {0.05, 0.05, 0.05, 0.3, 0.3, 0.3};
+  }
+  if (const auto& sigma = target.board.placementSigma) {
+    const double given[6] = {sigma->x, sigma->y, sigma->z, sigma->roll, sigma->pitch, sigma->yaw};
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      if (given[numbers[i]] > 0) {
+        sigmas[i] = given[numbers[i]];
+      }
+    }
+  }
+  sigmas.resize(numbers.size());
+  model.add({placementEffect(EffectSite::board, numbers, sigmas), index, target.name, 0, true});
+}
+
+/// Adds unknown placements of boards and stances that the pictures depend on. On the floor: x, y, yaw; on a link: all
+/// six, or three for a single mark. Prior sigma: the set's own (`placementSigma`), else practically unconstrained.
+void addPlacementTerms(const Measurements& measurements, Model& model) {
+  std::set<std::size_t> seen, stood;
+  for (const ImageObservation& picture : measurements.pictures) {
+    for (const BoardObservation& observation : picture.observations) {
+      seen.insert(observation.view.board());
+      if (measurements.targets[observation.view.board()].onFloor) {
+        stood.insert(picture.stance);
+      }
+    }
+  }
+  for (std::size_t target : seen) {
+    if (measurements.targets[target].unknown) {
+      addBoardPlacement(measurements, target, model);
+    }
+  }
+  for (std::size_t standing : stood) {
+    if (measurements.stances[standing].unknown) {
+      model.add({placementEffect(EffectSite::stance, {0, 1, 5}, {anywhere, anywhere, anyDirection}), standing,
+                 measurements.stances[standing].name, 0, true});
+    }
+  }
+}
+
 } // namespace
 
 std::vector<std::pair<std::size_t, std::string>> candidateSites(const Effect& effect,
@@ -211,98 +369,6 @@ std::vector<Term> testableTerms(const Measurements& measurements, const Model& m
   return result;
 }
 
-namespace {
-
-/// Whether `text` matches `pattern`, where '*' stands for any run of characters.
-bool matches(std::string_view pattern, std::string_view text) {
-  if (pattern.empty()) {
-    return text.empty();
-  }
-  if (pattern.front() == '*') {
-    return matches(pattern.substr(1), text) || (!text.empty() && matches(pattern, text.substr(1)));
-  }
-  return !text.empty() && pattern.front() == text.front() && matches(pattern.substr(1), text.substr(1));
-}
-
-[[noreturn]] void refuse(const std::string& wanted, const std::vector<std::string>& known) {
-  const std::string_view effect = std::string_view{wanted}.substr(0, wanted.find('@'));
-  std::vector<std::string> places; // sites of that effect
-  std::copy_if(known.begin(), known.end(), std::back_inserter(places),
-               [&](const std::string& label) { return std::string_view{label}.substr(0, label.find('@')) == effect; });
-  if (places.empty()) {
-    throw InputError{fmt::format("'{}' names no effect at a place of these captures; near it are {} ('naocal effects' "
-                                 "lists all effects)",
-                                 wanted, fmt::join(closestNames(wanted, known), ", "))};
-  }
-  if (wanted.find('@') == std::string::npos) {
-    throw InputError{
-        fmt::format("'{0}' names no place: write {0}@PLACE, such as {1}, or {0}@*", wanted, places.front())};
-  }
-  throw InputError{fmt::format("'{}' names no place of {} in these captures; near it are {}", wanted, effect,
-                               fmt::join(closestNames(wanted, places), ", "))};
-}
-
-/// A pattern "E@P" with '*', and whether it has matched.
-struct Pattern {
-  std::string given;
-  bool used = false;
-  std::string undriven = ""; // reason, if all its matches lack their drivers
-
-  /// A motor's effect matches under either of its joints; '*' does not match "all".
-  bool names(const Term& term, const Robot& robot) const {
-    const std::string motors = term.effect.place == EffectSite::motor ? labelFor(given, robot) : given;
-    const bool onePlace = term.effect.place == EffectSite::board && term.site == allSites;
-    return onePlace ? matches(motors.substr(0, motors.find('@')), term.effect.name) && motors.ends_with("@all")
-                    : matches(motors, term.label());
-  }
-};
-
-/// Whether any pattern names the term.
-bool anyNames(const std::vector<Pattern>& patterns, const Term& term, const Robot& robot) {
-  return std::any_of(patterns.begin(), patterns.end(),
-                     [&](const Pattern& pattern) { return pattern.names(term, robot); });
-}
-
-/// Marks matching patterns as used, or records why the term cannot be used.
-void mark(std::vector<Pattern>& patterns, const Term& term, const Robot& robot,
-          const std::optional<std::string>& undriven = std::nullopt) {
-  for (Pattern& pattern : patterns) {
-    if (pattern.names(term, robot)) {
-      pattern.used |= !undriven;
-      pattern.undriven =
-          undriven ? term.label() + " cannot be estimated from these captures: " + *undriven : pattern.undriven;
-    }
-  }
-}
-
-std::vector<Pattern> patterns(const std::vector<std::string>& given) {
-  std::vector<Pattern> result;
-  for (const std::string& pattern : given) {
-    result.push_back({pattern});
-  }
-  return result;
-}
-
-bool looksAtWeight(const Term& term) {
-  const auto weighs = [](Driver driver) { return driver == Driver::torque || driver == Driver::com; };
-  return std::any_of(term.effect.needs.begin(), term.effect.needs.end(), weighs) ||
-         std::any_of(term.effect.elsewhere.begin(), term.effect.elsewhere.end(),
-                     [&](const RemoteDriver& other) { return weighs(other.driver); });
-}
-
-/// Offsets of recorded joints outside all observation chains: they move only mass, but affect the torques of others.
-std::vector<Term> weighingOffsets(const Measurements& measurements) {
-  std::vector<Term> result;
-  for (const std::size_t motor : measurements.recordedMotors) {
-    if (!std::binary_search(measurements.joints.begin(), measurements.joints.end(), motor)) {
-      result.push_back({jointOffset(), motor, measurements.robot.joints[motor].name, 0, false, false});
-    }
-  }
-  return result;
-}
-
-} // namespace
-
 std::string labelFor(const std::string& given, const Robot& robot) {
   const std::size_t split = std::min(given.find('@'), given.size());
   std::string effect = given.substr(0, split), place = given.substr(split);
@@ -374,81 +440,6 @@ Model buildModel(const Measurements& measurements, const std::vector<std::string
   }
   addPlacementTerms(measurements, model);
   return model;
-}
-
-namespace {
-
-/// Additive correction of linkFromBoard or worldFromSole; unknowns are named after the placement's components.
-Effect placementEffect(EffectSite place, const std::vector<std::size_t>& numbers, const std::vector<double>& sigmas) {
-  static const std::vector<Unknown> all{{"x", "m", 0},      {"y", "m", 0},       {"z", "m", 0},
-                                        {"roll", "rad", 0}, {"pitch", "rad", 0}, {"yaw", "rad", 0}};
-  Effect effect{.name = place == EffectSite::board ? effectName::boardPlacement : effectName::stancePlacement,
-                .what = "where it lies or stands",
-                .formula = "placement = start + (x, y, z, roll, pitch, yaw)",
-                .place = place,
-                .unknowns = {},
-                .correct = {}};
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    effect.unknowns.push_back(all[numbers[i]]);
-    effect.unknowns.back().sigma = sigmas[i];
-  }
-  effect.correct = [place, numbers](ModelState& modelState, const RobotSample&, std::size_t at,
-                                    std::span<const double> values) {
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-      const auto number = static_cast<Eigen::Index>(numbers[i]);
-      (place == EffectSite::board ? modelState.boardPlacement(at) : modelState.worldFromSupport())[number] += values[i];
-    }
-  };
-  return effect;
-}
-
-constexpr double anywhere = 10;     // [m]: floor placement without a guess
-constexpr double anyDirection = 10; // [rad]
-
-void addBoardPlacement(const Measurements& measurements, std::size_t index, Model& model) {
-  const Target& target = measurements.targets[index];
-  std::vector<std::size_t> numbers{0, 1, 5};
-  std::vector<double> sigmas{anywhere, anywhere, anyDirection};
-  if (!target.onFloor) {
-    numbers = target.board.points.size() == 1 ? std::vector<std::size_t>{0, 1, 2}
-                                              : std::vector<std::size_t>{0, 1, 2, 3, 4, 5};
-    sigmas = {0.05, 0.05, 0.05, 0.3, 0.3, 0.3};
-  }
-  if (const auto& sigma = target.board.placementSigma) {
-    const double given[6] = {sigma->x, sigma->y, sigma->z, sigma->roll, sigma->pitch, sigma->yaw};
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-      if (given[numbers[i]] > 0) {
-        sigmas[i] = given[numbers[i]];
-      }
-    }
-  }
-  sigmas.resize(numbers.size());
-  model.add({placementEffect(EffectSite::board, numbers, sigmas), index, target.name, 0, true});
-}
-
-} // namespace
-
-void addPlacementTerms(const Measurements& measurements, Model& model) {
-  std::set<std::size_t> seen, stood;
-  for (const ImageObservation& picture : measurements.pictures) {
-    for (const BoardObservation& observation : picture.observations) {
-      seen.insert(observation.view.board());
-      if (measurements.targets[observation.view.board()].onFloor) {
-        stood.insert(picture.stance);
-      }
-    }
-  }
-  for (std::size_t target : seen) {
-    if (measurements.targets[target].unknown) {
-      addBoardPlacement(measurements, target, model);
-    }
-  }
-  for (std::size_t standing : stood) {
-    if (measurements.stances[standing].unknown) {
-      model.add({placementEffect(EffectSite::stance, {0, 1, 5}, {anywhere, anywhere, anyDirection}), standing,
-                 measurements.stances[standing].name, 0, true});
-    }
-  }
 }
 
 } // namespace naocal

@@ -4,70 +4,6 @@
 
 namespace naocal {
 
-void NormalEquations::clear(Eigen::Index columns) {
-  gram_.setZero(columns, columns);
-  gradient_.setZero(columns);
-}
-
-void NormalEquations::add(const ImageNormalEquations::Square& gram, const ImageNormalEquations::Column& gradient,
-                          const Eigen::MatrixXd& motion, const PreparedImage::Group& group, const double* slopeValues) {
-  if (group.extras.empty()) {
-    addRows<6>(gram, gradient, motion, group, slopeValues);
-  } else {
-    addRows<Eigen::Dynamic>(gram, gradient, motion, group, slopeValues);
-  }
-}
-
-/// `Rows`: rows of the motion, six without extras.
-template <int Rows>
-void NormalEquations::addRows(const ImageNormalEquations::Square& gram, const ImageNormalEquations::Column& gradient,
-                              const Eigen::MatrixXd& motion, const PreparedImage::Group& group,
-                              const double* slopeValues) {
-  const std::size_t rows = Rows == Eigen::Dynamic ? static_cast<std::size_t>(motion.rows()) : Rows;
-  const std::size_t columns = group.columns.size(), fours = (columns + 3) / 4;
-  moving_.assign(rows * fours, Four{});
-  half_.resize(rows * fours);
-  for (const PreparedImage::Group::Share& share : group.shares) {
-    Four* const four = &moving_[share.column / 4 * rows];
-    const double slope = slopeValues[share.slope];
-    for (std::size_t row = 0; row < rows; ++row) {
-      four[row].columns[share.column % 4] += slope * motion(row, share.quantity);
-    }
-  }
-  dispatchSimd([&]() __attribute__((always_inline)) {
-    for (std::size_t four = 0; four < fours; ++four) {
-      for (std::size_t i = 0; i < rows; ++i) {
-        Double4 sum{};
-        for (std::size_t row = 0; row < rows; ++row) {
-          sum += gram(row, i) * moving_[four * rows + row].lane();
-        }
-        half_[four * rows + i].lane() = sum;
-      }
-    }
-    for (std::size_t column = 0; column < columns; ++column) {
-      const Four* const own = &moving_[column / 4 * rows];
-      const std::size_t lane = column % 4;
-      double* const sums = &gram_(0, group.columns[column]);
-      double sumOfGradient = 0;
-      for (std::size_t row = 0; row < rows; ++row) {
-        sumOfGradient += gradient[row] * own[row].columns[lane];
-      }
-      gradient_[group.columns[column]] += sumOfGradient;
-      for (std::size_t four = 0; four < fours; ++four) {
-        Double4 sum{};
-        for (std::size_t row = 0; row < rows; ++row) {
-          sum += own[row].columns[lane] * half_[four * rows + row].lane();
-        }
-        Four taken;
-        taken.lane() = sum;
-        for (std::size_t i = 4 * four; i < std::min(4 * four + 4, columns); ++i) {
-          sums[group.columns[i]] += taken.columns[i % 4];
-        }
-      }
-    }
-  });
-}
-
 namespace {
 
 /// Loss of four corners and its derivative, their weight, for a non-quadratic loss.
@@ -78,90 +14,6 @@ void weigh(const Double4& squaredDistance, const Loss& loss, Double4& rho, Doubl
     weight[i] *= slope;
   }
 }
-
-} // namespace
-
-void ImageNormalEquations::clear(std::size_t extras) {
-  width_ = 6 + extras;
-  std::fill_n(products_, width_ * (width_ + 1) / 2, Double4{});
-  std::fill_n(gradient_, width_, Double4{});
-  squares_ = cost_ = corners_ = freedom_ = Double4{};
-}
-
-void ImageNormalEquations::add(const CornerBlocks& corners, const ProjectedBlocks& projected,
-                               const std::vector<ExtraRow>& extraRows, double pixelNoise,
-                               const ObservationWeight& weight, const Loss& loss) {
-  const double share = weight.share, freedom = weight.freedom();
-  const double information = share / (pixelNoise * pixelNoise);
-  const std::size_t blocks = corners.size();
-  const bool quadratic = loss.scale == 0;
-  dispatchSimd([ =, this, &corners, &projected, &extraRows, &loss ]() __attribute__((always_inline)) {
-    Double4 squares{}, cost{}, counted{};
-    for (std::size_t block = 0; block < blocks; ++block) {
-      const ProjectedBlock& seen = projected[block];
-      const Double4 ru = seen.u - corners[block].u, rv = seen.v - corners[block].v;
-      const Double4 rr = ru * ru + rv * rv;
-      Double4 w = corners[block].present, rho = w;
-      if (quadratic) {
-        rho *= information * rr;
-      } else {
-        weigh(information * rr, loss, rho, w);
-      }
-      counted += w > 0 ? Double4{} + 1 : Double4{};
-      w *= share;
-      squares += w * rr;
-      cost += rho;
-      Double4* product = products_;
-#pragma GCC unroll 6
-      for (std::size_t i = 0; i < 6; ++i) {
-        const Double4 wu = w * seen.rowsU[i], wv = w * seen.rowsV[i];
-        gradient_[i] = gradient_[i] + wu * ru + wv * rv;
-#pragma GCC unroll 6
-        for (std::size_t j = 0; j <= i; ++j, ++product) {
-          *product = *product + wu * seen.rowsU[j] + wv * seen.rowsV[j];
-        }
-      }
-      for (std::size_t i = 6; i < width_; ++i) {
-        const ExtraRow& row = extraRows[(i - 6) * blocks + block];
-        const Double4 wu = w * row.u, wv = w * row.v;
-        gradient_[i] += wu * ru + wv * rv;
-        for (std::size_t j = 0; j < 6; ++j) {
-          *product++ += wu * seen.rowsU[j] + wv * seen.rowsV[j];
-        }
-        for (std::size_t j = 6; j <= i; ++j) {
-          const ExtraRow& other = extraRows[(j - 6) * blocks + block];
-          *product++ += wu * other.u + wv * other.v;
-        }
-      }
-    }
-    squares_ += squares;
-    cost_ += cost;
-    corners_ += share * counted;
-    freedom_ += freedom * counted;
-  });
-}
-
-ImageNormalEquations::Square ImageNormalEquations::gram() const {
-  const auto width = static_cast<Eigen::Index>(width_);
-  Square result(width, width);
-  const Double4* product = products_;
-  for (Eigen::Index i = 0; i < width; ++i) {
-    for (Eigen::Index j = 0; j <= i; ++j) {
-      result(i, j) = result(j, i) = sum(*product++);
-    }
-  }
-  return result;
-}
-
-ImageNormalEquations::Column ImageNormalEquations::gradient() const {
-  Column result(static_cast<Eigen::Index>(width_));
-  for (std::size_t i = 0; i < width_; ++i) {
-    result[static_cast<Eigen::Index>(i)] = sum(gradient_[i]);
-  }
-  return result;
-}
-
-namespace {
 
 /// Set of numbers below `end`, listed in ascending order.
 class Numbers {
@@ -248,6 +100,150 @@ PreparedImage::Group groupOf(const ObservationChain& view, const StateLayout& qu
 }
 
 } // namespace
+
+void NormalEquations::clear(Eigen::Index columns) {
+  gram_.setZero(columns, columns);
+  gradient_.setZero(columns);
+}
+
+void NormalEquations::add(const ImageNormalEquations::Square& gram, const ImageNormalEquations::Column& gradient,
+                          const Eigen::MatrixXd& motion, const PreparedImage::Group& group, const double* slopeValues) {
+  if (group.extras.empty()) {
+    addRows<6>(gram, gradient, motion, group, slopeValues);
+  } else {
+    addRows<Eigen::Dynamic>(gram, gradient, motion, group, slopeValues);
+  }
+}
+
+/// `Rows`: rows of the motion, six without extras.
+template <int Rows>
+void NormalEquations::addRows(const ImageNormalEquations::Square& gram, const ImageNormalEquations::Column& gradient,
+                              const Eigen::MatrixXd& motion, const PreparedImage::Group& group,
+                              const double* slopeValues) {
+  const std::size_t rows = Rows == Eigen::Dynamic ? static_cast<std::size_t>(motion.rows()) : Rows;
+  const std::size_t columns = group.columns.size(), fours = (columns + 3) / 4;
+  moving_.assign(rows * fours, Four{});
+  half_.resize(rows * fours);
+  for (const PreparedImage::Group::Share& share : group.shares) {
+    Four* const four = &moving_[share.column / 4 * rows];
+    const double slope = slopeValues[share.slope];
+    for (std::size_t row = 0; row < rows; ++row) {
+      four[row].columns[share.column % 4] += slope * motion(row, share.quantity);
+    }
+  }
+  dispatchSimd([&]() __attribute__((always_inline)) {
+    for (std::size_t four = 0; four < fours; ++four) {
+      for (std::size_t i = 0; i < rows; ++i) {
+        Double4 sum{};
+        for (std::size_t row = 0; row < rows; ++row) {
+          sum += gram(row, i) * moving_[four * rows + row].lane();
+        }
+        half_[four * rows + i].lane() = sum;
+      }
+    }
+    for (std::size_t column = 0; column < columns; ++column) {
+      const Four* const own = &moving_[column / 4 * rows];
+      const std::size_t lane = column % 4;
+      double* const sums = &gram_(0, group.columns[column]);
+      double sumOfGradient = 0;
+      for (std::size_t row = 0; row < rows; ++row) {
+        sumOfGradient += gradient[row] * own[row].columns[lane];
+      }
+      gradient_[group.columns[column]] += sumOfGradient;
+      for (std::size_t four = 0; four < fours; ++four) {
+        Double4 sum{};
+        for (std::size_t row = 0; row < rows; ++row) {
+          sum += own[row].columns[lane] * half_[four * rows + row].lane();
+        }
+        Four taken;
+        taken.lane() = sum;
+        for (std::size_t i = 4 * four; i < std::min(4 * four + 4, columns); ++i) {
+          sums[group.columns[i]] += taken.columns[i % 4];
+        }
+      }
+    }
+  });
+}
+
+void ImageNormalEquations::clear(std::size_t extras) {
+  width_ = 6 + extras;
+  std::fill_n(products_, width_ * (width_ + 1) / 2, Double4{});
+  std::fill_n(gradient_, width_, Double4{});
+  squares_ = cost_ = corners_ = freedom_ = Double4{};
+}
+
+void ImageNormalEquations::add(const CornerBlocks& corners, const ProjectedBlocks& projected,
+                               const std::vector<ExtraRow>& extraRows, double pixelNoise,
+                               const ObservationWeight& weight, const Loss& loss) {
+  const double share = weight.share, freedom = weight.freedom();
+  const double information = share / (pixelNoise * pixelNoise);
+  const std::size_t blocks = corners.size();
+  const bool quadratic = loss.scale == 0;
+  dispatchSimd([ =, this, &corners, &projected, &extraRows, &loss ]() __attribute__((always_inline)) {
+    Double4 squares{}, cost{}, counted{};
+    for (std::size_t block = 0; block < blocks; ++block) {
+      const ProjectedBlock& seen = projected[block];
+      const Double4 ru = seen.u - corners[block].u, rv = seen.v - corners[block].v;
+      const Double4 rr = ru * ru + rv * rv;
+      Double4 w = corners[block].present, rho = w;
+      if (quadratic) {
+        rho *= information * rr;
+      } else {
+        weigh(information * rr, loss, rho, w);
+      }
+      counted += w > 0 ? Double4{} + 1 : Double4{};
+      w *= share;
+      squares += w * rr;
+      cost += rho;
+      Double4* product = products_;
+#pragma GCC unroll 6
+      for (std::size_t i = 0; i < 6; ++i) {
+        const Double4 wu = w * seen.rowsU[i], wv = w * seen.rowsV[i];
+        gradient_[i] = gradient_[i] + wu * ru + wv * rv;
+#pragma GCC unroll 6
+        for (std::size_t j = 0; j <= i; ++j, ++product) {
+          *product = *product + wu * seen.rowsU[j] + wv * seen.rowsV[j];
+        }
+      }
+      for (std::size_t i = 6; i < width_; ++i) {
+        const ExtraRow& row = extraRows[(i - 6) * blocks + block];
+        const Double4 wu = w * row.u, wv = w * row.v;
+        gradient_[i] += wu * ru + wv * rv;
+        for (std::size_t j = 0; j < 6; ++j) {
+          *product++ += wu * seen.rowsU[j] + wv * seen.rowsV[j];
+        }
+        for (std::size_t j = 6; j <= i; ++j) {
+          const ExtraRow& other = extraRows[(j - 6) * blocks + block];
+          *product++ += wu * other.u + wv * other.v;
+        }
+      }
+    }
+    squares_ += squares;
+    cost_ += cost;
+    corners_ += share * counted;
+    freedom_ += freedom * counted;
+  });
+}
+
+ImageNormalEquations::Square ImageNormalEquations::gram() const {
+  const auto width = static_cast<Eigen::Index>(width_);
+  Square result(width, width);
+  const Double4* product = products_;
+  for (Eigen::Index i = 0; i < width; ++i) {
+    for (Eigen::Index j = 0; j <= i; ++j) {
+      result(i, j) = result(j, i) = sum(*product++);
+    }
+  }
+  return result;
+}
+
+ImageNormalEquations::Column ImageNormalEquations::gradient() const {
+  Column result(static_cast<Eigen::Index>(width_));
+  for (std::size_t i = 0; i < width_; ++i) {
+    result[static_cast<Eigen::Index>(i)] = sum(gradient_[i]);
+  }
+  return result;
+}
 
 void prepareImage(const Measurements& measurements, const ImageObservation& picture,
                   const std::vector<std::size_t>& unknowns, PreparedImage& prepared) {

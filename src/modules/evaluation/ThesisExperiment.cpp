@@ -33,30 +33,6 @@ bool isDithered(const ThesisSetting& setting) {
   return setting.jointNoise == AngleNoise::encoder || setting.jointNoise == AngleNoise::stiction;
 }
 
-} // namespace
-
-Noise thesisNoise(const ThesisSetting& setting, double pixel) {
-  const double noPixelNoise = setting.angleNoise() ? 0.03 : 0.01; // [px]
-  const double rounding =
-      encoderStep / std::sqrt(isDithered(setting) ? 6.0 : 12.0); // one uniform error, or the sum of two
-  return {.pixel = setting.pixelNoise() ? pixel : noPixelNoise,
-          .encoder = setting.angleNoise() ? std::hypot(angleSigma(setting.jointNoise), rounding) : 0,
-          .pose = setting.angleNoise() && setting.jointNoise == AngleNoise::stiction ? stiction : 0};
-}
-
-AngleReading readAngle(double commanded, const ThesisSetting& setting, RandomStream& chance) {
-  if (!setting.angleNoise()) {
-    return {commanded, commanded};
-  }
-  const double raw = commanded + chance.uniformWithin(encoderStep / 2);
-  const double noise =
-      isDithered(setting) ? chance.uniformWithin(encoderStep / 2) : chance.normal(angleSigma(setting.jointNoise));
-  const double behind = setting.jointNoise == AngleNoise::stiction ? chance.normal(stiction) : 0;
-  return {raw + behind, encoderStep * std::round((raw + noise) / encoderStep)};
-}
-
-namespace {
-
 const double range = radians(6.5); // range of the offsets [rad]
 
 /// Stable poses in which the robot sees a target.
@@ -129,7 +105,73 @@ std::vector<std::size_t> chainOf(const Robot& robot, const ThesisExperiment& sta
   return thesis.selectChain(candidates, count);
 }
 
+/// Floor points every 0.25 m up to 4 m away, in tiles of one square metre.
+std::vector<Board> floorTiles() {
+  constexpr int perMetre = 4, farthest = 4;
+  std::vector<Board> tiles;
+  for (int x = 0; x < farthest; ++x) {
+    for (int y = -farthest; y < farthest; ++y) {
+      Board tile;
+      tile.id = fmt::format("{}{:+}", x, y);
+      tile.placement = Placement{static_cast<double>(x), static_cast<double>(y)};
+      for (int i = 0; i < perMetre * perMetre; ++i) {
+        const Eigen::Vector3d point{(i % perMetre + 0.5) / perMetre, (i / perMetre + 0.5) / perMetre, 0};
+        if (Eigen::Vector2d{x + point.x(), y + point.y()}.norm() <= farthest) {
+          tile.points.push_back(point);
+        }
+      }
+      if (!tile.points.empty()) {
+        tiles.push_back(tile);
+      }
+    }
+  }
+  return tiles;
+}
+
+/// Finds the visible corners of a target and their positions; none if fewer than the limit are visible.
+void findSeen(const Board& target, const CameraFrames& attitude, const ProjectedBlocks& projected,
+              const CameraIntrinsics& lens, const VisibilityLimits& limits, BoardCorners& seen) {
+  const double height = attitude.opticalFromBoard.inverse().translation.z(); // of the camera above the floor
+  seen.ids.clear();
+  seen.uv.clear();
+  for (std::size_t i = 0; i < target.points.size(); ++i) {
+    const double u = projected[i / 4].u[i % 4], v = projected[i / 4].v[i % 4];
+    if (u < limits.border || u > lens.width - 1 - limits.border || v < limits.border ||
+        v > lens.height - 1 - limits.border) {
+      continue;
+    }
+    const double distance = (attitude.opticalFromBoard * target.points[i]).norm();
+    if (distance >= limits.nearest && distance <= limits.farthest && height >= distance * std::sin(limits.grazing)) {
+      seen.ids.push_back(static_cast<int>(i));
+      seen.uv.emplace_back(u, v);
+    }
+  }
+  if (seen.ids.size() < limits.corners) {
+    seen.ids.clear();
+  }
+}
+
 } // namespace
+
+Noise thesisNoise(const ThesisSetting& setting, double pixel) {
+  const double noPixelNoise = setting.angleNoise() ? 0.03 : 0.01; // [px]
+  const double rounding =
+      encoderStep / std::sqrt(isDithered(setting) ? 6.0 : 12.0); // one uniform error, or the sum of two
+  return {.pixel = setting.pixelNoise() ? pixel : noPixelNoise,
+          .encoder = setting.angleNoise() ? std::hypot(angleSigma(setting.jointNoise), rounding) : 0,
+          .pose = setting.angleNoise() && setting.jointNoise == AngleNoise::stiction ? stiction : 0};
+}
+
+AngleReading readAngle(double commanded, const ThesisSetting& setting, RandomStream& chance) {
+  if (!setting.angleNoise()) {
+    return {commanded, commanded};
+  }
+  const double raw = commanded + chance.uniformWithin(encoderStep / 2);
+  const double noise =
+      isDithered(setting) ? chance.uniformWithin(encoderStep / 2) : chance.normal(angleSigma(setting.jointNoise));
+  const double behind = setting.jointNoise == AngleNoise::stiction ? chance.normal(stiction) : 0;
+  return {raw + behind, encoderStep * std::round((raw + noise) / encoderStep)};
+}
 
 std::vector<ThesisPose> posesForSetting(const ThesisSetting& setting, const Robot& robot,
                                         const std::vector<Eigen::VectorXd>& chosen) {
@@ -171,33 +213,6 @@ std::vector<Eigen::VectorXd> selectThesisPoses(const Robot& robot, ThesisFeature
   }
   return result;
 }
-
-namespace {
-
-/// Floor points every 0.25 m up to 4 m away, in tiles of one square metre.
-std::vector<Board> floorTiles() {
-  constexpr int perMetre = 4, farthest = 4;
-  std::vector<Board> tiles;
-  for (int x = 0; x < farthest; ++x) {
-    for (int y = -farthest; y < farthest; ++y) {
-      Board tile;
-      tile.id = fmt::format("{}{:+}", x, y);
-      tile.placement = Placement{static_cast<double>(x), static_cast<double>(y)};
-      for (int i = 0; i < perMetre * perMetre; ++i) {
-        const Eigen::Vector3d point{(i % perMetre + 0.5) / perMetre, (i / perMetre + 0.5) / perMetre, 0};
-        if (Eigen::Vector2d{x + point.x(), y + point.y()}.norm() <= farthest) {
-          tile.points.push_back(point);
-        }
-      }
-      if (!tile.points.empty()) {
-        tiles.push_back(tile);
-      }
-    }
-  }
-  return tiles;
-}
-
-} // namespace
 
 ThesisScene makeThesisScene(ThesisFeature feature) {
   ThesisScene result{{}, nominalCameras(640, 480), {}};
@@ -253,33 +268,6 @@ Measurements observeEverything(const Robot& robot, const ThesisScene& scenery, c
   }
   return buildMeasurements({set}, robot);
 }
-
-namespace {
-
-/// Finds the visible corners of a target and their positions; none if fewer than the limit are visible.
-void findSeen(const Board& target, const CameraFrames& attitude, const ProjectedBlocks& projected,
-              const CameraIntrinsics& lens, const VisibilityLimits& limits, BoardCorners& seen) {
-  const double height = attitude.opticalFromBoard.inverse().translation.z(); // of the camera above the floor
-  seen.ids.clear();
-  seen.uv.clear();
-  for (std::size_t i = 0; i < target.points.size(); ++i) {
-    const double u = projected[i / 4].u[i % 4], v = projected[i / 4].v[i % 4];
-    if (u < limits.border || u > lens.width - 1 - limits.border || v < limits.border ||
-        v > lens.height - 1 - limits.border) {
-      continue;
-    }
-    const double distance = (attitude.opticalFromBoard * target.points[i]).norm();
-    if (distance >= limits.nearest && distance <= limits.farthest && height >= distance * std::sin(limits.grazing)) {
-      seen.ids.push_back(static_cast<int>(i));
-      seen.uv.emplace_back(u, v);
-    }
-  }
-  if (seen.ids.size() < limits.corners) {
-    seen.ids.clear();
-  }
-}
-
-} // namespace
 
 ThesisExperiment::ThesisExperiment(const Robot& robot, const ThesisSetting& setting,
                                    const std::vector<ThesisPose>& poses)

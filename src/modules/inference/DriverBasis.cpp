@@ -11,102 +11,6 @@
 
 namespace naocal {
 
-Eigen::RowVectorXd legendre(double x, Eigen::Index count) {
-  Eigen::RowVectorXd result(count);
-  double before = 1, here = x; // P_0, P_1
-  for (Eigen::Index n = 1; n <= count; ++n) {
-    result[n - 1] = here;
-    const auto degree = static_cast<double>(n);
-    const double next = ((2 * degree + 1) * x * here - degree * before) / (degree + 1);
-    before = here;
-    here = next;
-  }
-  return result;
-}
-
-Eigen::RowVectorXd DriverBasis::basisAt(double x) const {
-  switch (shape) {
-  case Shape::smooth:
-    return legendre((x - middle) / half, count);
-  case Shape::wave:
-    return Eigen::RowVector2d{std::sin(waves * x), std::cos(waves * x)};
-  case Shape::step:
-    return Eigen::RowVectorXd::Constant(1, x > middle ? 1 : -1);
-  case Shape::root:
-    return Eigen::RowVectorXd::Constant(1, std::copysign(std::sqrt(std::abs(x) / half), x));
-  }
-  return {};
-}
-
-std::set<double> distinctValues(const std::vector<double>& values) {
-  const std::set<double> sorted(values.begin(), values.end());
-  std::set<double> result;
-  for (const double value : sorted) {
-    if (result.empty() || value - *result.rbegin() > leastChange) {
-      result.insert(result.end(), value);
-    }
-  }
-  return result;
-}
-
-DriverBasis polynomialBasis(const std::set<double>& distinct, Eigen::Index degree) {
-  DriverBasis cell;
-  cell.least = *distinct.begin();
-  cell.most = *distinct.rbegin();
-  cell.middle = (cell.least + cell.most) / 2;
-  cell.half = cell.most - cell.middle;
-  cell.count = std::min(degree, eigenIndex(distinct.size()) - 1);
-  return cell;
-}
-
-std::vector<DriverBasis> rippleBases() {
-  constexpr int fewest = 2, most = 8;
-  std::vector<DriverBasis> result;
-  for (int waves = fewest; waves <= most; ++waves) {
-    DriverBasis& cell = result.emplace_back();
-    cell.shape = DriverBasis::Shape::wave;
-    cell.waves = waves;
-    cell.count = 2;
-    cell.choices = most - fewest + 1;
-  }
-  return result;
-}
-
-std::vector<DriverBasis> stepBases(const std::set<double>& times) {
-  const std::vector<double> moments = midpointsBetween(times, 24);
-  std::vector<DriverBasis> result;
-  for (double moment : moments) {
-    DriverBasis& cell = result.emplace_back();
-    cell.shape = DriverBasis::Shape::step;
-    cell.middle = moment;
-    cell.count = 1;
-    cell.choices = moments.size();
-  }
-  return result;
-}
-
-DriverBasis rootBasis(const std::set<double>& distinct) {
-  DriverBasis cell;
-  cell.shape = DriverBasis::Shape::root;
-  cell.half = std::max(std::abs(*distinct.begin()), std::abs(*distinct.rbegin()));
-  cell.count = 1;
-  return cell;
-}
-
-std::vector<double> midpointsBetween(const std::set<double>& times, std::size_t most) {
-  const std::vector<double> all{times.begin(), times.end()};
-  const std::size_t gaps = all.size() - 1, parts = std::min(gaps, most);
-  std::vector<double> result;
-  for (std::size_t part = 0; part < parts; ++part) {
-    std::size_t widest = part * gaps / parts;
-    for (std::size_t gap = widest; gap < (part + 1) * gaps / parts; ++gap) {
-      widest = all[gap + 1] - all[gap] > all[widest + 1] - all[widest] ? gap : widest;
-    }
-    result.push_back((all[widest] + all[widest + 1]) / 2);
-  }
-  return result;
-}
-
 namespace {
 
 /// A motor's deflections in one pose: index of the first one, and the pictures that each affects.
@@ -221,7 +125,156 @@ DriverColumns buildColumns(const Measurements& measurements, std::vector<DriverS
   return result;
 }
 
+/// Adds a driver unless a value is missing or all values are equal.
+void add(std::vector<DriverSeries>& drivers, DriverSeries driver, const std::vector<RobotSample>& instants,
+         const std::function<double(const RobotSample&)>& value) {
+  for (const RobotSample& instant : instants) {
+    driver.atPicture.push_back(value(instant));
+  }
+  const auto [least, most] = std::minmax_element(driver.atPicture.begin(), driver.atPicture.end());
+  if (std::all_of(driver.atPicture.begin(), driver.atPicture.end(), [](double x) { return std::isfinite(x); }) &&
+      *most - *least > leastChange) {
+    drivers.push_back(std::move(driver));
+  }
+}
+
+constexpr Eigen::Index mostPolynomials = 2;
+
+/// Whether this joint is an ancestor of the camera in the kinematic tree.
+bool carries(const Robot& robot, std::size_t joint, std::size_t camera) {
+  std::optional<std::size_t> link = robot.cameras[camera].link;
+  while (link && robot.links[*link].joint != joint) {
+    link = robot.links[*link].parent;
+  }
+  return link.has_value();
+}
+
+bool canDrive(const DriverSeries& driver, const Robot& robot, std::size_t camera) {
+  return driver.kind == Driver::time || (driver.kind == Driver::angle && carries(robot, driver.joint, camera));
+}
+
+double valueAt(const RobotSample& instant, Driver kind, std::size_t joint) {
+  return kind == Driver::time ? instant.time.count() : instant.q[static_cast<Eigen::Index>(joint)];
+}
+
+Effect makeTurnEffect(const DriverSeries& driver, const DriverBasis& cell) {
+  Effect effect{.name = "mountTurns",
+                .what = {},
+                .formula = {},
+                .place = EffectSite::camera,
+                .unknowns = {},
+                .correct = [kind = driver.kind, joint = driver.joint, cell](ModelState& modelState,
+                                                                            const RobotSample& instant, std::size_t,
+                                                                            std::span<const double> values) {
+                  const Eigen::RowVectorXd basis = cell.basisAt(valueAt(instant, kind, joint));
+                  const Eigen::Map<const Eigen::Matrix3Xd> coefficients{values.data(), 3, cell.count};
+                  modelState.mountRotation() += coefficients * basis.transpose();
+                }};
+  for (Eigen::Index n = 1; n <= cell.count; ++n) {
+    for (const char* axis : {"x", "y", "z"}) {
+      effect.unknowns.push_back({axis + std::to_string(n), "rad", curvePriorSigma});
+    }
+  }
+  return effect;
+}
+
 } // namespace
+
+Eigen::RowVectorXd legendre(double x, Eigen::Index count) {
+  Eigen::RowVectorXd result(count);
+  double before = 1, here = x; // P_0, P_1
+  for (Eigen::Index n = 1; n <= count; ++n) {
+    result[n - 1] = here;
+    const auto degree = static_cast<double>(n);
+    const double next = ((2 * degree + 1) * x * here - degree * before) / (degree + 1);
+    before = here;
+    here = next;
+  }
+  return result;
+}
+
+Eigen::RowVectorXd DriverBasis::basisAt(double x) const {
+  switch (shape) {
+  case Shape::smooth:
+    return legendre((x - middle) / half, count);
+  case Shape::wave:
+    return Eigen::RowVector2d{std::sin(waves * x), std::cos(waves * x)};
+  case Shape::step:
+    return Eigen::RowVectorXd::Constant(1, x > middle ? 1 : -1);
+  case Shape::root:
+    return Eigen::RowVectorXd::Constant(1, std::copysign(std::sqrt(std::abs(x) / half), x));
+  }
+  return {};
+}
+
+std::set<double> distinctValues(const std::vector<double>& values) {
+  const std::set<double> sorted(values.begin(), values.end());
+  std::set<double> result;
+  for (const double value : sorted) {
+    if (result.empty() || value - *result.rbegin() > leastChange) {
+      result.insert(result.end(), value);
+    }
+  }
+  return result;
+}
+
+DriverBasis polynomialBasis(const std::set<double>& distinct, Eigen::Index degree) {
+  DriverBasis cell;
+  cell.least = *distinct.begin();
+  cell.most = *distinct.rbegin();
+  cell.middle = (cell.least + cell.most) / 2;
+  cell.half = cell.most - cell.middle;
+  cell.count = std::min(degree, eigenIndex(distinct.size()) - 1);
+  return cell;
+}
+
+std::vector<DriverBasis> rippleBases() {
+  constexpr int fewest = 2, most = 8;
+  std::vector<DriverBasis> result;
+  for (int waves = fewest; waves <= most; ++waves) {
+    DriverBasis& cell = result.emplace_back();
+    cell.shape = DriverBasis::Shape::wave;
+    cell.waves = waves;
+    cell.count = 2;
+    cell.choices = most - fewest + 1;
+  }
+  return result;
+}
+
+std::vector<DriverBasis> stepBases(const std::set<double>& times) {
+  const std::vector<double> moments = midpointsBetween(times, 24);
+  std::vector<DriverBasis> result;
+  for (double moment : moments) {
+    DriverBasis& cell = result.emplace_back();
+    cell.shape = DriverBasis::Shape::step;
+    cell.middle = moment;
+    cell.count = 1;
+    cell.choices = moments.size();
+  }
+  return result;
+}
+
+DriverBasis rootBasis(const std::set<double>& distinct) {
+  DriverBasis cell;
+  cell.shape = DriverBasis::Shape::root;
+  cell.half = std::max(std::abs(*distinct.begin()), std::abs(*distinct.rbegin()));
+  cell.count = 1;
+  return cell;
+}
+
+std::vector<double> midpointsBetween(const std::set<double>& times, std::size_t most) {
+  const std::vector<double> all{times.begin(), times.end()};
+  const std::size_t gaps = all.size() - 1, parts = std::min(gaps, most);
+  std::vector<double> result;
+  for (std::size_t part = 0; part < parts; ++part) {
+    std::size_t widest = part * gaps / parts;
+    for (std::size_t gap = widest; gap < (part + 1) * gaps / parts; ++gap) {
+      widest = all[gap + 1] - all[gap] > all[widest + 1] - all[widest] ? gap : widest;
+    }
+    result.push_back((all[widest] + all[widest + 1]) / 2);
+  }
+  return result;
+}
 
 double DriverSeries::mean(const std::vector<std::size_t>& pictures) const {
   double sum = 0;
@@ -242,23 +295,6 @@ DriverColumns buildProportionalColumns(const Measurements& measurements, std::ve
     return std::vector{polynomialBasis(values, 1)};
   });
 }
-
-namespace {
-
-/// Adds a driver unless a value is missing or all values are equal.
-void add(std::vector<DriverSeries>& drivers, DriverSeries driver, const std::vector<RobotSample>& instants,
-         const std::function<double(const RobotSample&)>& value) {
-  for (const RobotSample& instant : instants) {
-    driver.atPicture.push_back(value(instant));
-  }
-  const auto [least, most] = std::minmax_element(driver.atPicture.begin(), driver.atPicture.end());
-  if (std::all_of(driver.atPicture.begin(), driver.atPicture.end(), [](double x) { return std::isfinite(x); }) &&
-      *most - *least > leastChange) {
-    drivers.push_back(std::move(driver));
-  }
-}
-
-} // namespace
 
 std::vector<DriverSeries> collectDrivers(const Measurements& measurements, const Model& model,
                                          const Eigen::VectorXd& unknowns) {
@@ -306,50 +342,6 @@ std::string expressionName(const DriverSeries& driver, std::size_t motor) {
   }
   return driver.joint == motor && driver.kind == Driver::torque ? "tau" : driver.name;
 }
-
-namespace {
-
-constexpr Eigen::Index mostPolynomials = 2;
-
-/// Whether this joint is an ancestor of the camera in the kinematic tree.
-bool carries(const Robot& robot, std::size_t joint, std::size_t camera) {
-  std::optional<std::size_t> link = robot.cameras[camera].link;
-  while (link && robot.links[*link].joint != joint) {
-    link = robot.links[*link].parent;
-  }
-  return link.has_value();
-}
-
-bool canDrive(const DriverSeries& driver, const Robot& robot, std::size_t camera) {
-  return driver.kind == Driver::time || (driver.kind == Driver::angle && carries(robot, driver.joint, camera));
-}
-
-double valueAt(const RobotSample& instant, Driver kind, std::size_t joint) {
-  return kind == Driver::time ? instant.time.count() : instant.q[static_cast<Eigen::Index>(joint)];
-}
-
-Effect makeTurnEffect(const DriverSeries& driver, const DriverBasis& cell) {
-  Effect effect{.name = "mountTurns",
-                .what = {},
-                .formula = {},
-                .place = EffectSite::camera,
-                .unknowns = {},
-                .correct = [kind = driver.kind, joint = driver.joint, cell](ModelState& modelState,
-                                                                            const RobotSample& instant, std::size_t,
-                                                                            std::span<const double> values) {
-                  const Eigen::RowVectorXd basis = cell.basisAt(valueAt(instant, kind, joint));
-                  const Eigen::Map<const Eigen::Matrix3Xd> coefficients{values.data(), 3, cell.count};
-                  modelState.mountRotation() += coefficients * basis.transpose();
-                }};
-  for (Eigen::Index n = 1; n <= cell.count; ++n) {
-    for (const char* axis : {"x", "y", "z"}) {
-      effect.unknowns.push_back({axis + std::to_string(n), "rad", curvePriorSigma});
-    }
-  }
-  return effect;
-}
-
-} // namespace
 
 std::vector<MountCurve> buildMountCurves(const Measurements& measurements, const std::vector<DriverSeries>& drivers) {
   std::vector<MountCurve> result;

@@ -13,6 +13,11 @@ namespace {
 
 constexpr Eigen::Index together = 128; // rows
 
+Eigen::MatrixXd drawNormals(Eigen::Index rows, Eigen::Index columns, boost::random::mt19937_64& random) {
+  boost::random::normal_distribution<double> normal;
+  return Eigen::MatrixXd::NullaryExpr(rows, columns, [&] { return normal(random); });
+}
+
 } // namespace
 
 GramSum::GramSum(Eigen::Index columns)
@@ -45,15 +50,6 @@ void GramSum::multiply() {
   waiting_.topRows(count_).setZero();
   count_ = 0;
 }
-
-namespace {
-
-Eigen::MatrixXd drawNormals(Eigen::Index rows, Eigen::Index columns, boost::random::mt19937_64& random) {
-  boost::random::normal_distribution<double> normal;
-  return Eigen::MatrixXd::NullaryExpr(rows, columns, [&] { return normal(random); });
-}
-
-} // namespace
 
 PoseResiduals measuredResiduals(const std::vector<PoseRows>& poses) {
   PoseResiduals result;

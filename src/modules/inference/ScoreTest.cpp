@@ -20,6 +20,22 @@ Eigen::MatrixXd compressRows(const Eigen::MatrixXd& half) {
   return Eigen::HouseholderQR<Eigen::MatrixXd>{half}.matrixQR().topRows(half.cols()).triangularView<Eigen::Upper>();
 }
 
+/// Remaining share of a direction's information below which the own unknowns absorb it.
+constexpr double absorbed = 1e-4;
+
+/// W with |W s|^2 = s^T block^-1 s over the directions that are not absorbed.
+Eigen::MatrixXd computeWhitening(const Eigen::MatrixXd& block, const Eigen::MatrixXd& whole) {
+  const Eigen::VectorXd scale = whole.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+  const SymmetricEigen eigen = symmetricEigen(scale.asDiagonal() * block * scale.asDiagonal());
+  Eigen::Index lost = 0;
+  while (lost < block.rows() && eigen.values[lost] < absorbed) {
+    ++lost;
+  }
+  const Eigen::Index kept = block.rows() - lost;
+  return eigen.values.tail(kept).cwiseSqrt().cwiseInverse().asDiagonal() * eigen.vectors.rightCols(kept).transpose() *
+         scale.asDiagonal();
+}
+
 } // namespace
 
 NullModel::NullModel(const ScoreProblem& problem, const Noise& noise) : problem_{problem}, noise_{noise} {
@@ -81,26 +97,6 @@ NullModel::Outcome NullModel::operator()(const PoseResiduals& residuals, const E
   result.deviance = result.chi2.array() + logDeterminant_ + 2 * factor_.matrixLLT().diagonal().array().log().sum();
   return result;
 }
-
-namespace {
-
-/// Remaining share of a direction's information below which the own unknowns absorb it.
-constexpr double absorbed = 1e-4;
-
-/// W with |W s|^2 = s^T block^-1 s over the directions that are not absorbed.
-Eigen::MatrixXd computeWhitening(const Eigen::MatrixXd& block, const Eigen::MatrixXd& whole) {
-  const Eigen::VectorXd scale = whole.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
-  const SymmetricEigen eigen = symmetricEigen(scale.asDiagonal() * block * scale.asDiagonal());
-  Eigen::Index lost = 0;
-  while (lost < block.rows() && eigen.values[lost] < absorbed) {
-    ++lost;
-  }
-  const Eigen::Index kept = block.rows() - lost;
-  return eigen.values.tail(kept).cwiseSqrt().cwiseInverse().asDiagonal() * eigen.vectors.rightCols(kept).transpose() *
-         scale.asDiagonal();
-}
-
-} // namespace
 
 ScoreTest::ScoreTest(const NullModel& alone) : alone_{alone} {
   const ScoreProblem& problem = alone.problem();

@@ -16,16 +16,6 @@
 
 namespace naocal {
 
-/// Sorts the pictures into a canonical order, groups those of one reading and readings of one pose. Fills `poses`,
-/// `joints` and `repeats`.
-void groupByPose(Measurements& measurements);
-
-/// Converts one capture to the robot's joints, cameras and targets. Requires robot, quantities and targets in
-/// `measurements`. Throws InputError for captures that do not fit the robot (unknown camera, no corners, required joint
-/// not recorded).
-ImageObservation makeImageObservation(std::size_t set, std::size_t capture, const Measurements& measurements,
-                                      const FrameRegistry& places);
-
 namespace {
 
 /// One rest: readings without any motion in between, within tolerance.
@@ -196,8 +186,8 @@ void addFloorContact(const Measurements& measurements, ImageObservation& picture
   }
 }
 
-} // namespace
-
+/// Sorts the pictures into a canonical order, groups those of one reading and readings of one pose. Fills `poses`,
+/// `joints` and `repeats`.
 void groupByPose(Measurements& measurements) {
   auto& pictures = measurements.pictures;
   const auto key = [&](const ImageObservation& picture) {
@@ -250,8 +240,6 @@ void groupByPose(Measurements& measurements) {
   measurements.joints.assign(motors.begin(), motors.end());
 }
 
-namespace {
-
 void refuseOtherRobots(const std::vector<CaptureSet>& sets) {
   const CaptureSet& first = sets.front();
   for (const CaptureSet& set : sets) {
@@ -299,49 +287,6 @@ std::vector<std::size_t> recordedMotors(const std::vector<CaptureSet>& sets, con
   }
   return result;
 }
-
-} // namespace
-
-std::vector<std::size_t> posesOfPictures(const Measurements& measurements) {
-  std::vector<std::size_t> result(measurements.pictures.size());
-  for (std::size_t pose = 0; pose < measurements.poses.size(); ++pose) {
-    for (const EncoderSample& reading : measurements.poses[pose].readings) {
-      for (const std::size_t picture : reading.pictures) {
-        result[picture] = pose;
-      }
-    }
-  }
-  return result;
-}
-
-Measurements buildMeasurements(std::vector<CaptureSet> given, const Robot& robot, bool samePlace) {
-  refuseOtherRobots(given);
-  const FrameRegistry places{given, robot, samePlace};
-  Measurements result;
-  result.sets = std::make_shared<const std::vector<CaptureSet>>(std::move(given));
-  const std::vector<CaptureSet>& sets = *result.sets;
-  result.robot = robot;
-  result.samePlace = samePlace;
-  result.quantities = StateLayout{robot.joints.size(), robot.lengths.size(), places.targets().size()};
-  result.targets = places.targets();
-  result.stances = places.stances();
-  result.recordedMotors = recordedMotors(sets, robot);
-  for (std::size_t set = 0; set < sets.size(); ++set) {
-    const Seconds first = earliestTime(sets[set]);
-    for (std::size_t capture = 0; capture < sets[set].captures.size(); ++capture) {
-      result.pictures.push_back(makeImageObservation(set, capture, result, places));
-      result.pictures.back().instant.time -= first;
-      result.pictures.back().instant.set = set;
-      for (const BoardObservation& observation : result.pictures.back().observations) {
-        result.cornerCount += observation.ids.size();
-      }
-    }
-  }
-  groupByPose(result);
-  return result;
-}
-
-namespace {
 
 /// Values of `list` per joint of the robot, or NaN. Joints of one motor share a value.
 Eigen::VectorXd perJoint(const Robot& robot, const CaptureSet& set, const std::vector<double>& list) {
@@ -427,8 +372,9 @@ void drawScene(const CameraIntrinsics& camera, const Measurements& measurements,
   }
 }
 
-} // namespace
-
+/// Converts one capture to the robot's joints, cameras and targets. Requires robot, quantities and targets in
+/// `measurements`. Throws InputError for captures that do not fit the robot (unknown camera, no corners, required joint
+/// not recorded).
 ImageObservation makeImageObservation(std::size_t setIndex, std::size_t index, const Measurements& measurements,
                                       const FrameRegistry& places) {
   const Robot& robot = measurements.robot;
@@ -463,6 +409,47 @@ ImageObservation makeImageObservation(std::size_t setIndex, std::size_t index, c
   }
   drawAngles(robot, result);
   drawScene(set.cameras.at(capture.camera), measurements, result);
+  return result;
+}
+
+} // namespace
+
+std::vector<std::size_t> posesOfPictures(const Measurements& measurements) {
+  std::vector<std::size_t> result(measurements.pictures.size());
+  for (std::size_t pose = 0; pose < measurements.poses.size(); ++pose) {
+    for (const EncoderSample& reading : measurements.poses[pose].readings) {
+      for (const std::size_t picture : reading.pictures) {
+        result[picture] = pose;
+      }
+    }
+  }
+  return result;
+}
+
+Measurements buildMeasurements(std::vector<CaptureSet> given, const Robot& robot, bool samePlace) {
+  refuseOtherRobots(given);
+  const FrameRegistry places{given, robot, samePlace};
+  Measurements result;
+  result.sets = std::make_shared<const std::vector<CaptureSet>>(std::move(given));
+  const std::vector<CaptureSet>& sets = *result.sets;
+  result.robot = robot;
+  result.samePlace = samePlace;
+  result.quantities = StateLayout{robot.joints.size(), robot.lengths.size(), places.targets().size()};
+  result.targets = places.targets();
+  result.stances = places.stances();
+  result.recordedMotors = recordedMotors(sets, robot);
+  for (std::size_t set = 0; set < sets.size(); ++set) {
+    const Seconds first = earliestTime(sets[set]);
+    for (std::size_t capture = 0; capture < sets[set].captures.size(); ++capture) {
+      result.pictures.push_back(makeImageObservation(set, capture, result, places));
+      result.pictures.back().instant.time -= first;
+      result.pictures.back().instant.set = set;
+      for (const BoardObservation& observation : result.pictures.back().observations) {
+        result.cornerCount += observation.ids.size();
+      }
+    }
+  }
+  groupByPose(result);
   return result;
 }
 

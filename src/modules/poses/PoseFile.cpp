@@ -22,18 +22,6 @@
 
 namespace naocal {
 
-/// The list `poses` of POSES.json; `seconds`: transition time from the previous pose, if known.
-nlohmann::json poseListJson(const std::vector<ProposedPose>& poses, const std::vector<std::optional<double>>& seconds,
-                            const Robot& robot);
-
-/// Angles by joint name; hands are 0.
-nlohmann::json anglesJson(const Eigen::VectorXd& angles, const Robot& robot);
-
-/// Board placements on the floor.
-nlohmann::json boardsJson(const std::vector<Board>& boards);
-
-nlohmann::json noiseJson(const Noise& noise);
-
 namespace {
 
 using Json = nlohmann::json;
@@ -50,6 +38,12 @@ std::vector<std::optional<double>> secondsOf(const PosePlan& plan) {
   return result;
 }
 
+using Json = nlohmann::json;
+
+nlohmann::json noiseJson(const Noise& noise) {
+  return {{"pixel", noise.pixel}, {"encoder", noise.encoder}, {"pose", noise.pose}};
+}
+
 Json assumptions(const PlanOptions& options) {
   return {{"noise", noiseJson(options.noise)},
           {"samples", 1},
@@ -59,6 +53,16 @@ Json assumptions(const PlanOptions& options) {
            "feet in turn that of the first pose, the other foot 0.1 m beside it"},
           {"unknowns", "joint offsets, rotations of both cameras, x, y and yaw of every board"},
           {"floor", "on both feet the right sole lies on the left one's floor to 1 mm and 0.005 rad"}};
+}
+
+/// Board placements on the floor.
+nlohmann::json boardsJson(const std::vector<Board>& boards) {
+  nlohmann::json result = nlohmann::json::array();
+  for (const Board& board : boards) {
+    const Placement& place = *board.placement;
+    result.push_back({{"id", board.id}, {"placement", {{"x", place.x}, {"y", place.y}, {"yaw", place.yaw}}}});
+  }
+  return result;
 }
 
 Json boardsWithTolerances(const PosePlan& plan) {
@@ -90,6 +94,136 @@ Json comparisonJson(const PosePlan& plan) {
     }
   }
   return result;
+}
+
+/// Assumed board placements relative to the first pose's support sole.
+Json boardsOf(const NextPoses& next) {
+  for (const LocalScene& here : next.around) {
+    if (!next.poses.empty() && here.supportFoot == next.poses.front().pose.supportFoot) {
+      return boardsJson(here.boards);
+    }
+  }
+  return Json::array();
+}
+
+/// Times of direct transitions at the speed used on one foot.
+std::vector<std::optional<double>> secondsBetweenThem(const NextPoses& next, const Robot& robot) {
+  std::vector<std::optional<double>> result;
+  Eigen::VectorXd before = bentKneesStance(robot);
+  for (const ProposedPose& pose : next.poses) {
+    result.push_back(motionTime(robot, before, pose.pose.angles, TransitionOptions{}.speed));
+    before = pose.pose.angles;
+  }
+  return result;
+}
+
+Json assumptions(const NextPoses& next) {
+  return {
+      {"jointError", next.jointError},
+      {"noise", noiseJson(next.noise)},
+      {"samples", next.samples},
+      {"angles", "what the joints shall have: a robot adds its offsets; sent as they are, the fitted robot stands too"},
+      {"boards", "lie where they lay when the last captures were taken; here seen from the first pose's sole"},
+      {"collisions", "no part of the drawn robot touches another"},
+      {"stance", "the robot stands anew, about where it stood"},
+      {"predictedSigma", "from the captures and these poses together"}};
+}
+
+nlohmann::json perJoint(const Robot& robot, const Eigen::VectorXd& values, bool whole) {
+  nlohmann::json result = nlohmann::json::object();
+  for (const std::string_view name : fingers) {
+    result[std::string{name}] = 0;
+  }
+  for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
+    const double value = values[static_cast<Eigen::Index>(joint)];
+    result[robot.joints[joint].name] = whole ? nlohmann::json(std::lround(value)) : nlohmann::json(value);
+  }
+  return result;
+}
+
+/// Angles by joint name; hands are 0.
+nlohmann::json anglesJson(const Eigen::VectorXd& angles, const Robot& robot) {
+  return perJoint(robot, angles, false);
+}
+
+/// The list `poses` of POSES.json; `seconds`: transition time from the previous pose, if known.
+nlohmann::json poseListJson(const std::vector<ProposedPose>& poses, const std::vector<std::optional<double>>& seconds,
+                            const Robot& robot) {
+  nlohmann::json result = nlohmann::json::array();
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const PlannedPose& pose = poses[i].pose;
+    std::set<std::string> boards;
+    for (const VisibleBoard& sight : pose.sights) {
+      boards.insert(sight.board);
+    }
+    result.push_back({{"id", fmt::format("{}{:02}", "LRB"[static_cast<std::size_t>(pose.supportFoot)], i)},
+                      {"supportFoot", supportFootWords[static_cast<std::size_t>(pose.supportFoot)]},
+                      {"joints", perJoint(robot, pose.angles, false)},
+                      {"approach", perJoint(robot, poses[i].approach, true)},
+                      {"observes", boards}});
+    if (seconds[i]) {
+      result.back()["secondsToReach"] = *seconds[i];
+    }
+  }
+  return result;
+}
+
+/// Index of a joint by name; absent for hands. Refuses unknown names.
+std::optional<Eigen::Index> jointOf(const std::string& name, const JsonCursor& place, const Robot& robot) {
+  if (std::find(fingers.begin(), fingers.end(), name) != fingers.end()) {
+    return std::nullopt;
+  }
+  const auto joint = robot.jointIndex(name);
+  if (!joint) {
+    place.refuse(fmt::format("a joint of the {}", robot.model), fmt::format("\"{}\"", name));
+  }
+  return static_cast<Eigen::Index>(*joint);
+}
+
+Eigen::VectorXd anglesFrom(const JsonCursor& joints, const Robot& robot) {
+  constexpr double rounding = 1e-6; // [rad]
+  Eigen::VectorXd angles = Eigen::VectorXd::Constant(static_cast<Eigen::Index>(robot.joints.size()), std::nan(""));
+  for (const auto& [name, place] : joints.members()) {
+    const double angle = place.number(angleRange);
+    if (const auto joint = jointOf(name, place, robot)) {
+      angles[*joint] = angle;
+    }
+  }
+  for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
+    const Joint& drawn = robot.joints[joint];
+    const double angle = angles[static_cast<Eigen::Index>(joint)];
+    if (std::isnan(angle)) {
+      joints.refuse(fmt::format("an angle for each joint of the {}", robot.model), fmt::format("no {}", drawn.name));
+    }
+    const AngleRange limits = jointLimitsAt(robot, joint, angles);
+    if (angle < limits.lower - rounding || angle > limits.upper + rounding) {
+      joints.at(drawn.name)
+          .refuse(fmt::format("an angle from {:.4f} to {:.4f} radians, as the joint can take it", limits.lower,
+                              limits.upper));
+    }
+    if (angle != angles[static_cast<Eigen::Index>(drawn.motor)]) {
+      joints.at(drawn.name)
+          .refuse(fmt::format("the angle of {}: one motor drives both", robot.joints[drawn.motor].name));
+    }
+  }
+  return angles;
+}
+
+PlayablePose poseFrom(const JsonCursor& place, const Robot& robot) {
+  PlayablePose pose;
+  pose.id = place.at("id").text();
+  pose.supportFoot = static_cast<SupportFoot>(place.at("supportFoot").wordIndex({"left", "right", "both"}));
+  pose.angles = anglesFrom(place.at("joints"), robot);
+  pose.approach = Eigen::VectorXd::Zero(pose.angles.size());
+  if (const auto approach = place.find("approach")) {
+    for (const auto& [name, direction] : approach->members()) {
+      const int sign = direction.integer(-1, 1);
+      if (const auto joint = jointOf(name, direction, robot)) {
+        pose.approach[*joint] = sign;
+      }
+    }
+  }
+  return pose;
 }
 
 } // namespace
@@ -165,45 +299,6 @@ Eigen::VectorXd readAnglesFile(const std::filesystem::path& file, const Robot& r
   return angles;
 }
 
-namespace {
-
-using Json = nlohmann::json;
-
-/// Assumed board placements relative to the first pose's support sole.
-Json boardsOf(const NextPoses& next) {
-  for (const LocalScene& here : next.around) {
-    if (!next.poses.empty() && here.supportFoot == next.poses.front().pose.supportFoot) {
-      return boardsJson(here.boards);
-    }
-  }
-  return Json::array();
-}
-
-/// Times of direct transitions at the speed used on one foot.
-std::vector<std::optional<double>> secondsBetweenThem(const NextPoses& next, const Robot& robot) {
-  std::vector<std::optional<double>> result;
-  Eigen::VectorXd before = bentKneesStance(robot);
-  for (const ProposedPose& pose : next.poses) {
-    result.push_back(motionTime(robot, before, pose.pose.angles, TransitionOptions{}.speed));
-    before = pose.pose.angles;
-  }
-  return result;
-}
-
-Json assumptions(const NextPoses& next) {
-  return {
-      {"jointError", next.jointError},
-      {"noise", noiseJson(next.noise)},
-      {"samples", next.samples},
-      {"angles", "what the joints shall have: a robot adds its offsets; sent as they are, the fitted robot stands too"},
-      {"boards", "lie where they lay when the last captures were taken; here seen from the first pose's sole"},
-      {"collisions", "no part of the drawn robot touches another"},
-      {"stance", "the robot stands anew, about where it stood"},
-      {"predictedSigma", "from the captures and these poses together"}};
-}
-
-} // namespace
-
 Json nextPosesJson(const NextPoses& next, const Robot& robot) {
   return {{"poses", poseListJson(next.poses, secondsBetweenThem(next, robot), robot)},
           {"why", next.why},
@@ -227,122 +322,6 @@ Json posesJson(const NextPoses& next, const Robot& robot) {
   result["assumptions"] = assumptions(next);
   return result;
 }
-
-namespace {
-
-nlohmann::json perJoint(const Robot& robot, const Eigen::VectorXd& values, bool whole) {
-  nlohmann::json result = nlohmann::json::object();
-  for (const std::string_view name : fingers) {
-    result[std::string{name}] = 0;
-  }
-  for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
-    const double value = values[static_cast<Eigen::Index>(joint)];
-    result[robot.joints[joint].name] = whole ? nlohmann::json(std::lround(value)) : nlohmann::json(value);
-  }
-  return result;
-}
-
-} // namespace
-
-nlohmann::json anglesJson(const Eigen::VectorXd& angles, const Robot& robot) {
-  return perJoint(robot, angles, false);
-}
-
-nlohmann::json boardsJson(const std::vector<Board>& boards) {
-  nlohmann::json result = nlohmann::json::array();
-  for (const Board& board : boards) {
-    const Placement& place = *board.placement;
-    result.push_back({{"id", board.id}, {"placement", {{"x", place.x}, {"y", place.y}, {"yaw", place.yaw}}}});
-  }
-  return result;
-}
-
-nlohmann::json noiseJson(const Noise& noise) {
-  return {{"pixel", noise.pixel}, {"encoder", noise.encoder}, {"pose", noise.pose}};
-}
-
-nlohmann::json poseListJson(const std::vector<ProposedPose>& poses, const std::vector<std::optional<double>>& seconds,
-                            const Robot& robot) {
-  nlohmann::json result = nlohmann::json::array();
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    const PlannedPose& pose = poses[i].pose;
-    std::set<std::string> boards;
-    for (const VisibleBoard& sight : pose.sights) {
-      boards.insert(sight.board);
-    }
-    result.push_back({{"id", fmt::format("{}{:02}", "LRB"[static_cast<std::size_t>(pose.supportFoot)], i)},
-                      {"supportFoot", supportFootWords[static_cast<std::size_t>(pose.supportFoot)]},
-                      {"joints", perJoint(robot, pose.angles, false)},
-                      {"approach", perJoint(robot, poses[i].approach, true)},
-                      {"observes", boards}});
-    if (seconds[i]) {
-      result.back()["secondsToReach"] = *seconds[i];
-    }
-  }
-  return result;
-}
-
-namespace {
-
-/// Index of a joint by name; absent for hands. Refuses unknown names.
-std::optional<Eigen::Index> jointOf(const std::string& name, const JsonCursor& place, const Robot& robot) {
-  if (std::find(fingers.begin(), fingers.end(), name) != fingers.end()) {
-    return std::nullopt;
-  }
-  const auto joint = robot.jointIndex(name);
-  if (!joint) {
-    place.refuse(fmt::format("a joint of the {}", robot.model), fmt::format("\"{}\"", name));
-  }
-  return static_cast<Eigen::Index>(*joint);
-}
-
-Eigen::VectorXd anglesFrom(const JsonCursor& joints, const Robot& robot) {
-  constexpr double rounding = 1e-6; // [rad]
-  Eigen::VectorXd angles = Eigen::VectorXd::Constant(static_cast<Eigen::Index>(robot.joints.size()), std::nan(""));
-  for (const auto& [name, place] : joints.members()) {
-    const double angle = place.number(angleRange);
-    if (const auto joint = jointOf(name, place, robot)) {
-      angles[*joint] = angle;
-    }
-  }
-  for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
-    const Joint& drawn = robot.joints[joint];
-    const double angle = angles[static_cast<Eigen::Index>(joint)];
-    if (std::isnan(angle)) {
-      joints.refuse(fmt::format("an angle for each joint of the {}", robot.model), fmt::format("no {}", drawn.name));
-    }
-    const AngleRange limits = jointLimitsAt(robot, joint, angles);
-    if (angle < limits.lower - rounding || angle > limits.upper + rounding) {
-      joints.at(drawn.name)
-          .refuse(fmt::format("an angle from {:.4f} to {:.4f} radians, as the joint can take it", limits.lower,
-                              limits.upper));
-    }
-    if (angle != angles[static_cast<Eigen::Index>(drawn.motor)]) {
-      joints.at(drawn.name)
-          .refuse(fmt::format("the angle of {}: one motor drives both", robot.joints[drawn.motor].name));
-    }
-  }
-  return angles;
-}
-
-PlayablePose poseFrom(const JsonCursor& place, const Robot& robot) {
-  PlayablePose pose;
-  pose.id = place.at("id").text();
-  pose.supportFoot = static_cast<SupportFoot>(place.at("supportFoot").wordIndex({"left", "right", "both"}));
-  pose.angles = anglesFrom(place.at("joints"), robot);
-  pose.approach = Eigen::VectorXd::Zero(pose.angles.size());
-  if (const auto approach = place.find("approach")) {
-    for (const auto& [name, direction] : approach->members()) {
-      const int sign = direction.integer(-1, 1);
-      if (const auto joint = jointOf(name, direction, robot)) {
-        pose.approach[*joint] = sign;
-      }
-    }
-  }
-  return pose;
-}
-
-} // namespace
 
 PoseFile readPoseFile(const std::filesystem::path& file, const Robot& robot) {
   const nlohmann::json document = parseJson(readFile(file), file.string());

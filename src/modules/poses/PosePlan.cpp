@@ -15,11 +15,6 @@
 
 namespace naocal {
 
-/// Adds the mirror image of every pose, on the other foot among the same, symmetric boards (PlanOptions::mirrored); the
-/// feet are side by side when the support changes. Sigmas: computed per foot, the smaller one for the head. Throws
-/// InputError if a mirror image is not a valid pose.
-void addMirroredPoses(PosePlan& plan, const Robot& robot, const std::map<std::string, CameraIntrinsics>& cameras);
-
 namespace {
 
 /// The largest multiple of most / 20 for which `well` holds; assumes that `well` is monotonic.
@@ -31,43 +26,6 @@ template <typename Well> double largest(double most, const Well& well) {
   }
   return most * step / steps;
 }
-
-} // namespace
-
-std::vector<BoardTolerance> computeBoardTolerances(const Robot& robot, const PlanInputs& inputs,
-                                                   const PlanOptions& options, const std::vector<ValidPose>& poses) {
-  constexpr double growth = 1.1, farthest = 0.3, mostTurned = std::numbers::pi / 4; // [1], [m], [rad]
-  PlanOptions drawn = options;
-  drawn.perturbedRobots = 0;
-  const auto worst = [&](const std::vector<Board>& laid) { // absent: a pose sees no board
-    const PlanEvaluator score{robot, laid, inputs.cameras, drawn};
-    const std::vector<Eigen::MatrixXd> parts = score.informationParts(poses);
-    const bool blind = std::any_of(parts.begin(), parts.end(), [](const auto& part) { return part.isZero(); });
-    return blind ? std::nullopt : std::optional{score.worstSigma(score.totalInformation(poses))};
-  };
-  const double allowed = growth * worst(inputs.boards).value_or(0);
-  std::vector<BoardTolerance> result(inputs.boards.size());
-  parallelFor(inputs.boards.size(), [&](std::size_t i) {
-    const auto well = [&](double x, double y, double yaw) {
-      std::vector<Board> laid = inputs.boards;
-      laid[i].placement->x += x;
-      laid[i].placement->y += y;
-      laid[i].placement->yaw += yaw;
-      const auto sigma = worst(laid);
-      return sigma && *sigma <= allowed;
-    };
-    result[i].shift = farthest;
-    for (int direction = 0; direction < 8; ++direction) {
-      const double angle = direction * std::numbers::pi / 4;
-      result[i].shift = largest(result[i].shift,
-                                [&](double size) { return well(size * std::cos(angle), size * std::sin(angle), 0); });
-    }
-    result[i].turn = largest(mostTurned, [&](double size) { return well(0, 0, size) && well(0, 0, -size); });
-  });
-  return result;
-}
-
-namespace {
 
 double largest(const std::map<std::string, double>& sigmas) {
   double result = 0;
@@ -85,31 +43,6 @@ double rootMeanSquare(const std::map<std::string, double>& sigmas) {
   return std::sqrt(sum / static_cast<double>(sigmas.size()));
 }
 
-} // namespace
-
-std::vector<CriterionResult> compareCriteria(const Robot& robot, const PlanInputs& inputs, const PlanOptions& options,
-                                             const std::vector<ValidPose>& candidates) {
-  std::vector<CriterionResult> result;
-  for (std::size_t criterion = 0; criterion < static_cast<std::size_t>(Criterion::time); ++criterion) {
-    if (static_cast<Criterion>(criterion) == Criterion::discriminate && options.effects.empty()) {
-      continue;
-    }
-    PlanOptions own = options;
-    own.perturbedRobots = 0;
-    own.criterion = static_cast<Criterion>(criterion);
-    const PlanEvaluator score{robot, inputs.boards, inputs.cameras, own};
-    for (const std::size_t count : {3, 5, 8}) {
-      const std::vector<ValidPose> poses = score.selectPoses(candidates, count);
-      const std::map<std::string, double> unknown = score.sigmas(poses, false);
-      result.push_back({own.criterion, poses.size(), largest(unknown), rootMeanSquare(unknown),
-                        largest(score.sigmas(poses, true)), score.interaction(poses), score.misfit(poses)});
-    }
-  }
-  return result;
-}
-
-namespace {
-
 /// Merges sigmas, keeping the smaller one per joint.
 void take(std::map<std::string, double>& sigmas, const std::map<std::string, double>& more) {
   for (const auto& [joint, sigma] : more) {
@@ -118,8 +51,9 @@ void take(std::map<std::string, double>& sigmas, const std::map<std::string, dou
   }
 }
 
-} // namespace
-
+/// Adds the mirror image of every pose, on the other foot among the same, symmetric boards (PlanOptions::mirrored); the
+/// feet are side by side when the support changes. Sigmas: computed per foot, the smaller one for the head. Throws
+/// InputError if a mirror image is not a valid pose.
 void addMirroredPoses(PosePlan& plan, const Robot& robot, const std::map<std::string, CameraIntrinsics>& cameras) {
   PlanOptions options = plan.options;
   const bool left = options.poses.supportFoot == SupportFoot::left;
@@ -156,8 +90,6 @@ void addMirroredPoses(PosePlan& plan, const Robot& robot, const std::map<std::st
   take(plan.sigmaKnown, score.sigmas(images, true));
   take(plan.sigmaOfRobots, score.perturbedSigmas(images));
 }
-
-namespace {
 
 /// Runs the planning steps on one draft.
 class Planner {
@@ -249,6 +181,60 @@ private:
 };
 
 } // namespace
+
+std::vector<BoardTolerance> computeBoardTolerances(const Robot& robot, const PlanInputs& inputs,
+                                                   const PlanOptions& options, const std::vector<ValidPose>& poses) {
+  constexpr double growth = 1.1, farthest = 0.3, mostTurned = std::numbers::pi / 4; // [1], [m], [rad]
+  PlanOptions drawn = options;
+  drawn.perturbedRobots = 0;
+  const auto worst = [&](const std::vector<Board>& laid) { // absent: a pose sees no board
+    const PlanEvaluator score{robot, laid, inputs.cameras, drawn};
+    const std::vector<Eigen::MatrixXd> parts = score.informationParts(poses);
+    const bool blind = std::any_of(parts.begin(), parts.end(), [](const auto& part) { return part.isZero(); });
+    return blind ? std::nullopt : std::optional{score.worstSigma(score.totalInformation(poses))};
+  };
+  const double allowed = growth * worst(inputs.boards).value_or(0);
+  std::vector<BoardTolerance> result(inputs.boards.size());
+  parallelFor(inputs.boards.size(), [&](std::size_t i) {
+    const auto well = [&](double x, double y, double yaw) {
+      std::vector<Board> laid = inputs.boards;
+      laid[i].placement->x += x;
+      laid[i].placement->y += y;
+      laid[i].placement->yaw += yaw;
+      const auto sigma = worst(laid);
+      return sigma && *sigma <= allowed;
+    };
+    result[i].shift = farthest;
+    for (int direction = 0; direction < 8; ++direction) {
+      const double angle = direction * std::numbers::pi / 4;
+      result[i].shift = largest(result[i].shift,
+                                [&](double size) { return well(size * std::cos(angle), size * std::sin(angle), 0); });
+    }
+    result[i].turn = largest(mostTurned, [&](double size) { return well(0, 0, size) && well(0, 0, -size); });
+  });
+  return result;
+}
+
+std::vector<CriterionResult> compareCriteria(const Robot& robot, const PlanInputs& inputs, const PlanOptions& options,
+                                             const std::vector<ValidPose>& candidates) {
+  std::vector<CriterionResult> result;
+  for (std::size_t criterion = 0; criterion < static_cast<std::size_t>(Criterion::time); ++criterion) {
+    if (static_cast<Criterion>(criterion) == Criterion::discriminate && options.effects.empty()) {
+      continue;
+    }
+    PlanOptions own = options;
+    own.perturbedRobots = 0;
+    own.criterion = static_cast<Criterion>(criterion);
+    const PlanEvaluator score{robot, inputs.boards, inputs.cameras, own};
+    for (const std::size_t count : {3, 5, 8}) {
+      const std::vector<ValidPose> poses = score.selectPoses(candidates, count);
+      const std::map<std::string, double> unknown = score.sigmas(poses, false);
+      result.push_back({own.criterion, poses.size(), largest(unknown), rootMeanSquare(unknown),
+                        largest(score.sigmas(poses, true)), score.interaction(poses), score.misfit(poses)});
+    }
+  }
+  return result;
+}
 
 PosePlan planPoses(const Robot& robot, PlanInputs inputs, const PlanOptions& options,
                    const std::function<void(const std::string&)>& tell) {

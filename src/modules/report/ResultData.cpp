@@ -44,31 +44,6 @@ json estimateJson(const std::string& name, const JsonCursor& unknown, double sca
           {"learned", unknown.at("learned").number({-1e15, 1, ""})}};
 }
 
-} // namespace
-
-json estimatesData(const JsonCursor& effects) {
-  json groups = json::array();
-  for (const JsonCursor& effect : effects.elements()) {
-    const std::string title = spaced(effect.at("effect").text()), at = effect.at("at").text();
-    const auto unknowns = effect.at("unknowns").members();
-    for (const auto& [name, unknown] : unknowns) {
-      const auto [unit, scale] = displayUnit(unknown.at("unit").text());
-      auto group = std::find_if(groups.begin(), groups.end(),
-                                [&, &u = unit](const json& g) { return g["title"] == title && g["unit"] == u; });
-      if (group == groups.end()) {
-        const json empty{{"title", title}, {"unit", unit}, {"rows", json::array()}};
-        group = groups.insert(groups.end(), empty);
-      }
-      (*group)["rows"].push_back(estimateJson(unknowns.size() == 1 ? at : at + " " + name, unknown, scale));
-    }
-  }
-  return groups;
-}
-
-using nlohmann::json;
-
-namespace {
-
 /// The images, worst first; includes photographs up to a total size that keeps the page small.
 json picturesJson(const std::vector<PictureRecord>& seen, const SourceCaptures& sources) {
   constexpr std::size_t mostPhotographs = 3'000'000; // [bytes]
@@ -90,42 +65,6 @@ json picturesJson(const std::vector<PictureRecord>& seen, const SourceCaptures& 
   }
   return pictures;
 }
-
-} // namespace
-
-json resultData(const JsonCursor& result, const SourceCaptures& sources) {
-  const VerdictWords words = verdictWords(result);
-  json data{{"robot", result.at("model").at("robot").text()},
-            {"verdict", result.at("verdict").text()},
-            {"headline", words.headline},
-            {"sentence", words.sentence},
-            {"facts", json::array()},
-            {"warnings", result.at("warnings").texts()},
-            {"weak", json::array()},
-            {"groups", estimatesData(result.at("effects"))},
-            {"pixelNoise", result.at("noise").at("pixel").number({0, 1e6, "px"})},
-            {"pictures", picturesJson(readPictures(result), sources)},
-            {"sets", result.at("inputs").at("sets").texts()},
-            {"missing", sources.unavailable()}};
-  for (const auto& [figure, sentence] : facts(result, data["pictures"].size(), sources.nominalRms())) {
-    data["facts"].push_back({{"figure", figure}, {"sentence", sentence}});
-  }
-  for (const JsonCursor& direction : result.at("weak").elements()) {
-    data["weak"].push_back({{"sentence", direction.at("sentence").text()},
-                            {"sigma", direction.at("sigma").number({0, 1e15, ""})},
-                            {"unit", direction.at("unit").text()}});
-  }
-  return data;
-}
-
-using nlohmann::json;
-
-double roundToDecimals(double value, int decimals) {
-  const double scale = std::pow(10.0, decimals);
-  return std::round(value * scale) / scale;
-}
-
-namespace {
 
 /// u and v of all corners in sequence.
 json flat(const Eigen::Matrix2Xd& points, int decimals) {
@@ -150,20 +89,6 @@ json boardJson(const BoardInPicture& seen) {
   }
   return board;
 }
-
-} // namespace
-
-json pictureJson(const PictureRecord& seen) {
-  json picture{{"set", seen.set},       {"capture", seen.capture}, {"pose", seen.pose},
-               {"repeat", seen.repeat}, {"time", seen.time},       {"camera", seen.camera},
-               {"width", seen.width},   {"height", seen.height},   {"boards", json::array()}};
-  for (const BoardInPicture& board : seen.boards) {
-    picture["boards"].push_back(boardJson(board));
-  }
-  return picture;
-}
-
-namespace {
 
 double numberAt(const JsonCursor& place, const std::string& key) {
   return place.at(key).number({-1e15, 1e15, ""});
@@ -208,6 +133,65 @@ Fact misfitFact(const JsonCursor& result) {
 }
 
 } // namespace
+
+json estimatesData(const JsonCursor& effects) {
+  json groups = json::array();
+  for (const JsonCursor& effect : effects.elements()) {
+    const std::string title = spaced(effect.at("effect").text()), at = effect.at("at").text();
+    const auto unknowns = effect.at("unknowns").members();
+    for (const auto& [name, unknown] : unknowns) {
+      const auto [unit, scale] = displayUnit(unknown.at("unit").text());
+      auto group = std::find_if(groups.begin(), groups.end(),
+                                [&, &u = unit](const json& g) { return g["title"] == title && g["unit"] == u; });
+      if (group == groups.end()) {
+        const json empty{{"title", title}, {"unit", unit}, {"rows", json::array()}};
+        group = groups.insert(groups.end(), empty);
+      }
+      (*group)["rows"].push_back(estimateJson(unknowns.size() == 1 ? at : at + " " + name, unknown, scale));
+    }
+  }
+  return groups;
+}
+
+json resultData(const JsonCursor& result, const SourceCaptures& sources) {
+  const VerdictWords words = verdictWords(result);
+  json data{{"robot", result.at("model").at("robot").text()},
+            {"verdict", result.at("verdict").text()},
+            {"headline", words.headline},
+            {"sentence", words.sentence},
+            {"facts", json::array()},
+            {"warnings", result.at("warnings").texts()},
+            {"weak", json::array()},
+            {"groups", estimatesData(result.at("effects"))},
+            {"pixelNoise", result.at("noise").at("pixel").number({0, 1e6, "px"})},
+            {"pictures", picturesJson(readPictures(result), sources)},
+            {"sets", result.at("inputs").at("sets").texts()},
+            {"missing", sources.unavailable()}};
+  for (const auto& [figure, sentence] : facts(result, data["pictures"].size(), sources.nominalRms())) {
+    data["facts"].push_back({{"figure", figure}, {"sentence", sentence}});
+  }
+  for (const JsonCursor& direction : result.at("weak").elements()) {
+    data["weak"].push_back({{"sentence", direction.at("sentence").text()},
+                            {"sigma", direction.at("sigma").number({0, 1e15, ""})},
+                            {"unit", direction.at("unit").text()}});
+  }
+  return data;
+}
+
+double roundToDecimals(double value, int decimals) {
+  const double scale = std::pow(10.0, decimals);
+  return std::round(value * scale) / scale;
+}
+
+json pictureJson(const PictureRecord& seen) {
+  json picture{{"set", seen.set},       {"capture", seen.capture}, {"pose", seen.pose},
+               {"repeat", seen.repeat}, {"time", seen.time},       {"camera", seen.camera},
+               {"width", seen.width},   {"height", seen.height},   {"boards", json::array()}};
+  for (const BoardInPicture& board : seen.boards) {
+    picture["boards"].push_back(boardJson(board));
+  }
+  return picture;
+}
 
 VerdictWords verdictWords(const JsonCursor& result) {
   const std::string said = result.at("sentence").text(), between = ": ";

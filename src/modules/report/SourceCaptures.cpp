@@ -18,6 +18,8 @@
 
 namespace naocal {
 
+namespace fs = std::filesystem;
+
 namespace {
 
 /// A list of [u, v]; predictions may lie far outside the image.
@@ -71,6 +73,25 @@ PictureRecord seenPicture(const JsonCursor& place, const JsonCursor& cameras) {
   return picture;
 }
 
+/// The folder as recorded, otherwise relative to the result file.
+std::optional<fs::path> found(const fs::path& folder, const fs::path& resultFile) {
+  for (const fs::path& candidate : {folder, resultFile.parent_path() / folder}) {
+    std::error_code ignored;
+    if (fs::exists(candidate / "captures.json", ignored)) {
+      return candidate;
+    }
+  }
+  return std::nullopt;
+}
+
+std::string base64(std::string_view bytes) {
+  std::string text(4 * ((bytes.size() + 2) / 3) + 1, '\0'); // OpenSSL appends a zero byte
+  EVP_EncodeBlock(reinterpret_cast<unsigned char*>(text.data()), reinterpret_cast<const unsigned char*>(bytes.data()),
+                  static_cast<int>(bytes.size()));
+  text.pop_back();
+  return text;
+}
+
 } // namespace
 
 double PictureRecord::rms() const {
@@ -102,23 +123,6 @@ std::vector<PictureRecord> readPictures(const JsonCursor& result) {
                    [](const PictureRecord& a, const PictureRecord& b) { return a.rms() > b.rms(); });
   return sorted;
 }
-
-namespace fs = std::filesystem;
-
-namespace {
-
-/// The folder as recorded, otherwise relative to the result file.
-std::optional<fs::path> found(const fs::path& folder, const fs::path& resultFile) {
-  for (const fs::path& candidate : {folder, resultFile.parent_path() / folder}) {
-    std::error_code ignored;
-    if (fs::exists(candidate / "captures.json", ignored)) {
-      return candidate;
-    }
-  }
-  return std::nullopt;
-}
-
-} // namespace
 
 SourceCaptures::SourceCaptures(const JsonCursor& result, const fs::path& resultFile) {
   const JsonCursor inputs = result.at("inputs");
@@ -191,18 +195,6 @@ std::optional<double> SourceCaptures::nominalRms() const {
     return std::nullopt;
   }
 }
-
-namespace {
-
-std::string base64(std::string_view bytes) {
-  std::string text(4 * ((bytes.size() + 2) / 3) + 1, '\0'); // OpenSSL appends a zero byte
-  EVP_EncodeBlock(reinterpret_cast<unsigned char*>(text.data()), reinterpret_cast<const unsigned char*>(bytes.data()),
-                  static_cast<int>(bytes.size()));
-  text.pop_back();
-  return text;
-}
-
-} // namespace
 
 std::optional<std::string> makeThumbnail(const std::filesystem::path& file) {
   constexpr int widest = 640; // [px]

@@ -60,6 +60,30 @@ void addGrowth(const Robot& robot, std::array<std::size_t, 3> joints, double ben
   } while (std::next_permutation(joints.begin(), joints.end()));
 }
 
+/// Sums of m [kg] and m * p [kg m] over a set of links, p in the torso frame.
+struct Moment {
+  double mass = 0;
+  Eigen::Vector3d first = Eigen::Vector3d::Zero();
+
+  void operator+=(const Moment& other) {
+    mass += other.mass;
+    first += other.first;
+  }
+};
+
+/// Per link: sums over itself and all links beyond; at the root those of the whole robot.
+std::vector<Moment> moments(const Robot& robot, const LinkPoses& torsoFromLink) {
+  std::vector<Moment> beyond(robot.links.size());
+  for (std::size_t link = robot.links.size(); link-- > 0;) { // parents precede their children
+    const double mass = robot.links[link].mass;
+    beyond[link] += {mass, mass * (torsoFromLink[link] * robot.links[link].centreOfMass)};
+    if (const auto parent = robot.links[link].parent) {
+      beyond[*parent] += beyond[link];
+    }
+  }
+  return beyond;
+}
+
 } // namespace
 
 GravityLoad gravityLoad(const Robot& robot, const ModelState& modelState, const LinkPoses& torsoFromLink,
@@ -136,34 +160,6 @@ GravityLoad gravityLoad(const Robot& robot, const ModelState& modelState, const 
   }
   return load;
 }
-
-namespace {
-
-/// Sums of m [kg] and m * p [kg m] over a set of links, p in the torso frame.
-struct Moment {
-  double mass = 0;
-  Eigen::Vector3d first = Eigen::Vector3d::Zero();
-
-  void operator+=(const Moment& other) {
-    mass += other.mass;
-    first += other.first;
-  }
-};
-
-/// Per link: sums over itself and all links beyond; at the root those of the whole robot.
-std::vector<Moment> moments(const Robot& robot, const LinkPoses& torsoFromLink) {
-  std::vector<Moment> beyond(robot.links.size());
-  for (std::size_t link = robot.links.size(); link-- > 0;) { // parents precede their children
-    const double mass = robot.links[link].mass;
-    beyond[link] += {mass, mass * (torsoFromLink[link] * robot.links[link].centreOfMass)};
-    if (const auto parent = robot.links[link].parent) {
-      beyond[*parent] += beyond[link];
-    }
-  }
-  return beyond;
-}
-
-} // namespace
 
 CentreOfMass centreOfMass(const Robot& robot, const LinkPoses& torsoFromLink) {
   Moment whole;

@@ -15,6 +15,8 @@
 
 namespace naocal {
 
+namespace {
+
 /// Renders flat objects over the floor, row by row: mean brightness over each pixel's area and exposure time.
 class RowRenderer {
 public:
@@ -49,78 +51,6 @@ private:
   std::vector<Candidate> all_;
   std::vector<const Candidate*> mixed_; // in the sampled pixel, front to back
 };
-
-/// Noise texture per pixel, row by row: patches of several sizes, mean 0, standard deviation about 1, fixed to the
-/// image.
-std::vector<float> floorTexture(int width, int height, std::mt19937_64& random);
-
-/// Applies lens and sensor to the light (0 ink, 1 paper) on the pixels.
-GreyPicture developImage(std::vector<float> light, int width, int height, const Appearance& appearance,
-                         std::mt19937_64& random);
-
-Renderer::Renderer(const CameraIntrinsics& intrinsics, std::optional<std::uint64_t> floorSeed)
-    : intrinsics_{intrinsics} {
-  rays_.reserve(std::size_t(intrinsics.width + 1) * std::size_t(intrinsics.height + 1));
-  for (int y = 0; y <= intrinsics.height; ++y) {
-    for (int x = 0; x <= intrinsics.width; ++x) {
-      rays_.push_back(rayThroughPixel({x - 0.5, y - 0.5}, intrinsics).cast<float>());
-    }
-  }
-  if (floorSeed) {
-    std::mt19937_64 random{*floorSeed};
-    blotches_ = floorTexture(intrinsics.width, intrinsics.height, random);
-  }
-}
-
-GreyPicture Renderer::render(const RenderedScene& scene, const Appearance& appearance, std::uint64_t seed) const {
-  return render(std::vector{scene}, 0, appearance, seed);
-}
-
-GreyPicture Renderer::render(const std::vector<RenderedScene>& scenes, double exposureShare,
-                             const Appearance& appearance, std::uint64_t seed) const {
-  const int width = intrinsics_.width, height = intrinsics_.height;
-  std::mt19937_64 random{seed};
-  std::vector<float> light = blotches_.empty() ? floorTexture(width, height, random) : blotches_;
-  for (float& floor : light) {
-    floor = float(appearance.floorBrightness) + float(appearance.floorTexture) * floor;
-  }
-  const std::vector<FlatObject> all = prepareFlats(scenes, intrinsics_);
-  RowRenderer row{all, rays_, width};
-  for (int y = 0; y < height; ++y) {
-    const float begin = float(y) / float(height - 1) * float(1 - exposureShare);
-    row.paint(y, begin, begin + float(exposureShare), &light[std::size_t(y) * std::size_t(width)]);
-  }
-  return developImage(std::move(light), width, height, appearance, random);
-}
-
-std::optional<Eigen::Vector2d> projectOptical(const Eigen::Vector3d& pointInCameraOptical,
-                                              const CameraIntrinsics& intrinsics) {
-  if (pointInCameraOptical.z() <= 0) {
-    return std::nullopt;
-  }
-  const Eigen::Vector2d uv = pixelOfPoint(pointInCameraOptical, intrinsics);
-  // Far outside the calibrated field, the distortion polynomial folds back into the image.
-  const bool folded = (rayThroughPixel(uv, intrinsics) - pointInCameraOptical.hnormalized()).norm() > 1e-6;
-  const bool inside =
-      uv.x() >= -0.5 && uv.y() >= -0.5 && uv.x() < intrinsics.width - 0.5 && uv.y() < intrinsics.height - 0.5;
-  return inside && !folded ? std::optional{uv} : std::nullopt;
-}
-
-BoardCorners trueCorners(const RenderedBoard& board, const CameraIntrinsics& intrinsics) {
-  BoardCorners corners{board.id, {}, {}};
-  const int perRow = board.pattern.squaresX - 1;
-  for (int id = 0; id < perRow * (board.pattern.squaresY - 1); ++id) {
-    const Eigen::Vector3d pointInBoard =
-        board.pattern.squareLength * Eigen::Vector3d{id % perRow + 1.0, -(id / perRow + 1.0), 0};
-    if (const auto uv = projectOptical(board.cameraOpticalFromBoard * pointInBoard, intrinsics)) {
-      corners.ids.push_back(id);
-      corners.uv.push_back(*uv);
-    }
-  }
-  return corners;
-}
-
-namespace {
 
 /// Opposite corners of a flat object in its own frame.
 struct Outline {
@@ -157,46 +87,6 @@ bool seenFromBehind(const RigidTransform& opticalFromFlat) {
   return opticalFromFlat.rotation.col(2).dot(opticalFromFlat.translation) > 0;
 }
 
-} // namespace
-
-Eigen::Matrix3f FlatObject::at(float share) const {
-  const float place = share * float(planeFromRay.size() - 1);
-  const std::size_t before = std::min(std::size_t(place), planeFromRay.size() - 2);
-  return planeFromRay[before] + (place - float(before)) * (planeFromRay[before + 1] - planeFromRay[before]);
-}
-
-std::vector<FlatObject> prepareFlats(const std::vector<RenderedScene>& scenes, const CameraIntrinsics& camera) {
-  const FlatObject nowhere{nullptr, false, camera.width, -1, camera.height, -1, {}};
-  std::vector<FlatObject> result;
-  for (std::size_t i = 0; i < scenes.front().boards.size(); ++i) {
-    const RenderedBoard& board = scenes.front().boards[i];
-    const Eigen::Vector2d outside{board.margin, board.margin};
-    const Eigen::Vector2d size{board.pattern.squaresX * board.pattern.squareLength,
-                               board.pattern.squaresY * board.pattern.squareLength};
-    const Outline outline{Eigen::Vector2d{0, -size.y()} - outside, Eigen::Vector2d{size.x(), 0} + outside};
-    FlatObject& flat = result.emplace_back(nowhere);
-    flat.painting = makeBoardTexture(board.pattern, board.margin);
-    flat.fromBehind = seenFromBehind(board.cameraOpticalFromBoard);
-    for (const RenderedScene& scene : scenes) {
-      addInstant(flat, scene.boards[i].cameraOpticalFromBoard, outline, camera);
-    }
-  }
-  for (std::size_t i = 0; i < scenes.front().patches.size(); ++i) {
-    const Patch& patch = scenes.front().patches[i];
-    const Eigen::Vector2d half = patch.size / 2;
-    FlatObject& flat = result.emplace_back(nowhere);
-    flat.painting = makePatchTexture(half.x(), half.y(), patch.brightness);
-    flat.fromBehind = seenFromBehind(patch.cameraOpticalFromPatch);
-    for (const RenderedScene& scene : scenes) {
-      addInstant(flat, scene.patches[i].cameraOpticalFromPatch, {-half, half}, camera);
-    }
-  }
-  std::reverse(result.begin(), result.end());
-  return result;
-}
-
-namespace {
-
 /// OpenCV's five-parameter distortion of a point at z = 1.
 Eigen::Vector2d distort(const Eigen::Vector2d& p, const std::array<double, 5>& distortion) {
   const auto& [k1, k2, p1, p2, k3] = distortion;
@@ -205,28 +95,6 @@ Eigen::Vector2d distort(const Eigen::Vector2d& p, const std::array<double, 5>& d
   return {p.x() * radial + 2 * p1 * p.x() * p.y() + p2 * (r2 + 2 * p.x() * p.x()),
           p.y() * radial + p1 * (r2 + 2 * p.y() * p.y()) + 2 * p2 * p.x() * p.y()};
 }
-
-} // namespace
-
-Eigen::Vector2d rayThroughPixel(const Eigen::Vector2d& pixel, const CameraIntrinsics& camera) {
-  const Eigen::Vector2d given{(pixel.x() - camera.cx) / camera.fx, (pixel.y() - camera.cy) / camera.fy};
-  Eigen::Vector2d p = given; // p <- p + (given - distorted(p))
-  for (int i = 0; i < 50; ++i) {
-    const Eigen::Vector2d step = given - distort(p, camera.distortion);
-    p += step;
-    if (step.squaredNorm() < 1e-18) {
-      break;
-    }
-  }
-  return p;
-}
-
-Eigen::Vector2d pixelOfPoint(const Eigen::Vector3d& pointInCameraOptical, const CameraIntrinsics& camera) {
-  const Eigen::Vector2d p = distort(pointInCameraOptical.hnormalized(), camera.distortion);
-  return {camera.fx * p.x() + camera.cx, camera.fy * p.y() + camera.cy};
-}
-
-namespace {
 
 constexpr std::size_t behindCamera = std::numeric_limits<std::size_t>::max();
 
@@ -246,8 +114,6 @@ float scatter(unsigned x, unsigned y) {
   hash = (hash ^ (hash >> 15)) * 0x2c1b3c6du;
   return float((hash ^ (hash >> 13)) >> 8) / float(1u << 24);
 }
-
-} // namespace
 
 RowRenderer::RowRenderer(const std::vector<FlatObject>& flats, const std::vector<Eigen::Vector2f>& rays, int width)
     : rays_{rays}, width_{width}, moves_{!flats.empty() && flats.front().planeFromRay.size() > 1} {
@@ -350,6 +216,8 @@ void RowRenderer::paint(int y, float begin, float end, float* brightness) {
   }
 }
 
+/// Noise texture per pixel, row by row: patches of several sizes, mean 0, standard deviation about 1, fixed to the
+/// image.
 std::vector<float> floorTexture(int width, int height, std::mt19937_64& random) {
   const cv::Size size{width, height};
   std::normal_distribution<float> normal;
@@ -365,6 +233,7 @@ std::vector<float> floorTexture(int width, int height, std::mt19937_64& random) 
   return {sum.begin(), sum.end()};
 }
 
+/// Applies lens and sensor to the light (0 ink, 1 paper) on the pixels.
 GreyPicture developImage(std::vector<float> light, int width, int height, const Appearance& appearance,
                          std::mt19937_64& random) {
   cv::Mat1f image(height, width, light.data());
@@ -391,6 +260,124 @@ GreyPicture developImage(std::vector<float> light, int width, int height, const 
     return decodeImage(encodeJpeg({grey.data, grey.total()}, width, height, *appearance.jpegQuality), "a picture");
   }
   return {grey.cols, grey.rows, {grey.begin(), grey.end()}};
+}
+
+} // namespace
+
+Renderer::Renderer(const CameraIntrinsics& intrinsics, std::optional<std::uint64_t> floorSeed)
+    : intrinsics_{intrinsics} {
+  rays_.reserve(std::size_t(intrinsics.width + 1) * std::size_t(intrinsics.height + 1));
+  for (int y = 0; y <= intrinsics.height; ++y) {
+    for (int x = 0; x <= intrinsics.width; ++x) {
+      rays_.push_back(rayThroughPixel({x - 0.5, y - 0.5}, intrinsics).cast<float>());
+    }
+  }
+  if (floorSeed) {
+    std::mt19937_64 random{*floorSeed};
+    blotches_ = floorTexture(intrinsics.width, intrinsics.height, random);
+  }
+}
+
+GreyPicture Renderer::render(const RenderedScene& scene, const Appearance& appearance, std::uint64_t seed) const {
+  return render(std::vector{scene}, 0, appearance, seed);
+}
+
+GreyPicture Renderer::render(const std::vector<RenderedScene>& scenes, double exposureShare,
+                             const Appearance& appearance, std::uint64_t seed) const {
+  const int width = intrinsics_.width, height = intrinsics_.height;
+  std::mt19937_64 random{seed};
+  std::vector<float> light = blotches_.empty() ? floorTexture(width, height, random) : blotches_;
+  for (float& floor : light) {
+    floor = float(appearance.floorBrightness) + float(appearance.floorTexture) * floor;
+  }
+  const std::vector<FlatObject> all = prepareFlats(scenes, intrinsics_);
+  RowRenderer row{all, rays_, width};
+  for (int y = 0; y < height; ++y) {
+    const float begin = float(y) / float(height - 1) * float(1 - exposureShare);
+    row.paint(y, begin, begin + float(exposureShare), &light[std::size_t(y) * std::size_t(width)]);
+  }
+  return developImage(std::move(light), width, height, appearance, random);
+}
+
+std::optional<Eigen::Vector2d> projectOptical(const Eigen::Vector3d& pointInCameraOptical,
+                                              const CameraIntrinsics& intrinsics) {
+  if (pointInCameraOptical.z() <= 0) {
+    return std::nullopt;
+  }
+  const Eigen::Vector2d uv = pixelOfPoint(pointInCameraOptical, intrinsics);
+  // Far outside the calibrated field, the distortion polynomial folds back into the image.
+  const bool folded = (rayThroughPixel(uv, intrinsics) - pointInCameraOptical.hnormalized()).norm() > 1e-6;
+  const bool inside =
+      uv.x() >= -0.5 && uv.y() >= -0.5 && uv.x() < intrinsics.width - 0.5 && uv.y() < intrinsics.height - 0.5;
+  return inside && !folded ? std::optional{uv} : std::nullopt;
+}
+
+BoardCorners trueCorners(const RenderedBoard& board, const CameraIntrinsics& intrinsics) {
+  BoardCorners corners{board.id, {}, {}};
+  const int perRow = board.pattern.squaresX - 1;
+  for (int id = 0; id < perRow * (board.pattern.squaresY - 1); ++id) {
+    const Eigen::Vector3d pointInBoard =
+        board.pattern.squareLength * Eigen::Vector3d{id % perRow + 1.0, -(id / perRow + 1.0), 0};
+    if (const auto uv = projectOptical(board.cameraOpticalFromBoard * pointInBoard, intrinsics)) {
+      corners.ids.push_back(id);
+      corners.uv.push_back(*uv);
+    }
+  }
+  return corners;
+}
+
+Eigen::Matrix3f FlatObject::at(float share) const {
+  const float place = share * float(planeFromRay.size() - 1);
+  const std::size_t before = std::min(std::size_t(place), planeFromRay.size() - 2);
+  return planeFromRay[before] + (place - float(before)) * (planeFromRay[before + 1] - planeFromRay[before]);
+}
+
+std::vector<FlatObject> prepareFlats(const std::vector<RenderedScene>& scenes, const CameraIntrinsics& camera) {
+  const FlatObject nowhere{nullptr, false, camera.width, -1, camera.height, -1, {}};
+  std::vector<FlatObject> result;
+  for (std::size_t i = 0; i < scenes.front().boards.size(); ++i) {
+    const RenderedBoard& board = scenes.front().boards[i];
+    const Eigen::Vector2d outside{board.margin, board.margin};
+    const Eigen::Vector2d size{board.pattern.squaresX * board.pattern.squareLength,
+                               board.pattern.squaresY * board.pattern.squareLength};
+    const Outline outline{Eigen::Vector2d{0, -size.y()} - outside, Eigen::Vector2d{size.x(), 0} + outside};
+    FlatObject& flat = result.emplace_back(nowhere);
+    flat.painting = makeBoardTexture(board.pattern, board.margin);
+    flat.fromBehind = seenFromBehind(board.cameraOpticalFromBoard);
+    for (const RenderedScene& scene : scenes) {
+      addInstant(flat, scene.boards[i].cameraOpticalFromBoard, outline, camera);
+    }
+  }
+  for (std::size_t i = 0; i < scenes.front().patches.size(); ++i) {
+    const Patch& patch = scenes.front().patches[i];
+    const Eigen::Vector2d half = patch.size / 2;
+    FlatObject& flat = result.emplace_back(nowhere);
+    flat.painting = makePatchTexture(half.x(), half.y(), patch.brightness);
+    flat.fromBehind = seenFromBehind(patch.cameraOpticalFromPatch);
+    for (const RenderedScene& scene : scenes) {
+      addInstant(flat, scene.patches[i].cameraOpticalFromPatch, {-half, half}, camera);
+    }
+  }
+  std::reverse(result.begin(), result.end());
+  return result;
+}
+
+Eigen::Vector2d rayThroughPixel(const Eigen::Vector2d& pixel, const CameraIntrinsics& camera) {
+  const Eigen::Vector2d given{(pixel.x() - camera.cx) / camera.fx, (pixel.y() - camera.cy) / camera.fy};
+  Eigen::Vector2d p = given; // p <- p + (given - distorted(p))
+  for (int i = 0; i < 50; ++i) {
+    const Eigen::Vector2d step = given - distort(p, camera.distortion);
+    p += step;
+    if (step.squaredNorm() < 1e-18) {
+      break;
+    }
+  }
+  return p;
+}
+
+Eigen::Vector2d pixelOfPoint(const Eigen::Vector3d& pointInCameraOptical, const CameraIntrinsics& camera) {
+  const Eigen::Vector2d p = distort(pointInCameraOptical.hnormalized(), camera.distortion);
+  return {camera.fx * p.x() + camera.cx, camera.fy * p.y() + camera.cy};
 }
 
 } // namespace naocal

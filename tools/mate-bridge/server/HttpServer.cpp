@@ -40,6 +40,7 @@ struct HttpExchange {
 
 namespace beast = boost::beast;
 namespace http = boost::beast::http;
+using Tcp = boost::asio::ip::tcp;
 
 std::string_view headerOf(const http::request<http::empty_body>& request, beast::string_view name) {
   const beast::string_view value = request[name];
@@ -185,10 +186,6 @@ void WebSocketSession::end() {
     closed_();
   }
 }
-
-namespace beast = boost::beast;
-namespace http = boost::beast::http;
-using Tcp = boost::asio::ip::tcp;
 
 } // namespace
 

@@ -14,6 +14,8 @@
 
 namespace naocal {
 
+namespace {
+
 /// Sums over some poses of all columns of a linearised problem: whitened for fitting, plain for measuring the error.
 struct FoldSums {
   Eigen::MatrixXd hessian, gram;
@@ -26,9 +28,6 @@ struct Folds {
   FoldSums all;
   std::vector<FoldSums> parts;
 };
-Folds splitIntoFolds(const CandidateTests& candidateTests, const Eigen::VectorXd& step);
-
-namespace {
 
 using Columns = std::vector<Eigen::Index>;
 
@@ -149,6 +148,61 @@ struct Choices {
   }
 };
 
+constexpr std::size_t folds = 5;
+
+/// Sums over every `each`-th pose from `first` on.
+FoldSums computeSums(std::size_t first, std::size_t each, const NullModel& alone) {
+  const std::vector<PoseRows>& poses = *alone.problem().poses;
+  const double pixel = alone.noise().pixel;
+  const Eigen::Index size = alone.problem().gram.cols();
+  FoldSums result;
+  result.gradient = result.plainGradient = Eigen::VectorXd::Zero(size);
+  GramSum plain{size}, taken{size};
+  for (std::size_t pose = first; pose < poses.size(); pose += each) {
+    const PoseRows& rows = poses[pose];
+    const NullModel::Whitener& whitener = alone.whitener(pose);
+    plain.add(rows.unknowns, rows.byUnknowns);
+    taken.add(rows.unknowns, whitener.unknowns);
+    const Eigen::VectorXd gradient = rows.byUnknowns.transpose() * rows.residual;
+    result.plainGradient(rows.unknowns) += gradient;
+    result.gradient(rows.unknowns) +=
+        gradient / (pixel * pixel) - whitener.unknowns.transpose() * (whitener.half * rows.residual) / pixel;
+    result.squares += rows.squares;
+    result.numbers += rows.numbers;
+  }
+  result.gram = plain.sum();
+  result.hessian = result.gram / (pixel * pixel) - taken.sum();
+  return result;
+}
+
+void add(const FoldSums& part, FoldSums& sums) {
+  sums.hessian += part.hessian;
+  sums.gram += part.gram;
+  sums.gradient += part.gradient;
+  sums.plainGradient += part.plainGradient;
+  sums.squares += part.squares;
+  sums.numbers += part.numbers;
+}
+
+void applyStep(const Eigen::VectorXd& step, FoldSums& sums) {
+  const Eigen::VectorXd moved = sums.gram * step;
+  sums.squares += 2 * sums.plainGradient.dot(step) + step.dot(moved);
+  sums.plainGradient += moved;
+  sums.gradient += sums.hessian * step;
+}
+
+Folds splitIntoFolds(const CandidateTests& candidateTests, const Eigen::VectorXd& step) {
+  const NullModel alone{candidateTests.problem(), candidateTests.noise()};
+  const std::size_t parts = std::min(folds, candidateTests.poses().size());
+  Folds result;
+  for (std::size_t part = 0; part < parts; ++part) {
+    FoldSums& sums = result.parts.emplace_back(computeSums(part, parts, alone));
+    applyStep(step, sums);
+    part == 0 ? void(result.all = sums) : add(sums, result.all);
+  }
+  return result;
+}
+
 } // namespace
 
 std::optional<CrossValidation> crossValidate(const CandidateTests& candidateTests, const Model& model,
@@ -200,65 +254,6 @@ std::optional<CrossValidation> crossValidate(const CandidateTests& candidateTest
   toRms(result.chosenPx);
   toRms(result.nextPx);
   std::for_each(result.afterPx.begin(), result.afterPx.end(), toRms);
-  return result;
-}
-
-namespace {
-
-constexpr std::size_t folds = 5;
-
-/// Sums over every `each`-th pose from `first` on.
-FoldSums computeSums(std::size_t first, std::size_t each, const NullModel& alone) {
-  const std::vector<PoseRows>& poses = *alone.problem().poses;
-  const double pixel = alone.noise().pixel;
-  const Eigen::Index size = alone.problem().gram.cols();
-  FoldSums result;
-  result.gradient = result.plainGradient = Eigen::VectorXd::Zero(size);
-  GramSum plain{size}, taken{size};
-  for (std::size_t pose = first; pose < poses.size(); pose += each) {
-    const PoseRows& rows = poses[pose];
-    const NullModel::Whitener& whitener = alone.whitener(pose);
-    plain.add(rows.unknowns, rows.byUnknowns);
-    taken.add(rows.unknowns, whitener.unknowns);
-    const Eigen::VectorXd gradient = rows.byUnknowns.transpose() * rows.residual;
-    result.plainGradient(rows.unknowns) += gradient;
-    result.gradient(rows.unknowns) +=
-        gradient / (pixel * pixel) - whitener.unknowns.transpose() * (whitener.half * rows.residual) / pixel;
-    result.squares += rows.squares;
-    result.numbers += rows.numbers;
-  }
-  result.gram = plain.sum();
-  result.hessian = result.gram / (pixel * pixel) - taken.sum();
-  return result;
-}
-
-void add(const FoldSums& part, FoldSums& sums) {
-  sums.hessian += part.hessian;
-  sums.gram += part.gram;
-  sums.gradient += part.gradient;
-  sums.plainGradient += part.plainGradient;
-  sums.squares += part.squares;
-  sums.numbers += part.numbers;
-}
-
-void applyStep(const Eigen::VectorXd& step, FoldSums& sums) {
-  const Eigen::VectorXd moved = sums.gram * step;
-  sums.squares += 2 * sums.plainGradient.dot(step) + step.dot(moved);
-  sums.plainGradient += moved;
-  sums.gradient += sums.hessian * step;
-}
-
-} // namespace
-
-Folds splitIntoFolds(const CandidateTests& candidateTests, const Eigen::VectorXd& step) {
-  const NullModel alone{candidateTests.problem(), candidateTests.noise()};
-  const std::size_t parts = std::min(folds, candidateTests.poses().size());
-  Folds result;
-  for (std::size_t part = 0; part < parts; ++part) {
-    FoldSums& sums = result.parts.emplace_back(computeSums(part, parts, alone));
-    applyStep(step, sums);
-    part == 0 ? void(result.all = sums) : add(sums, result.all);
-  }
   return result;
 }
 

@@ -16,11 +16,6 @@
 
 namespace naocal {
 
-/// Adds to a finding the small expression that best follows the joint's misfit over its driver: linear, square, |x|,
-/// sign, root, sines and cosines of x to 8x, a step in time, the driver times the joint's torque.
-void fitExpression(const CandidateTests& candidateTests, const Measurements& measurements, const DriverBasis& cell,
-                   DriverCurve& finding);
-
 namespace {
 
 /// Computes points of the curve with standard errors from its coefficients, and half of its range. The approach driver
@@ -87,6 +82,103 @@ CurveName curveName(const CandidateTests& candidateTests, const Measurements& me
   return {measurements.robot.joints[cell.motor].name, expressionName(drivers[cell.driver], cell.motor)};
 }
 
+/// A transformed driver, named by its expression.
+DriverSeries transformDriver(const DriverSeries& driver, std::size_t motor, const std::string& expression,
+                             const UnitPowers& unit, const std::function<double(std::size_t)>& value) {
+  DriverSeries result{
+      .kind = driver.kind, .joint = driver.joint, .name = expression, .unit = formatUnit(unit), .motor = motor};
+  for (std::size_t i = 0; i < driver.atPicture.size(); ++i) {
+    result.atPicture.push_back(value(i));
+  }
+  return result;
+}
+
+/// Shapes with a physical basis over one driver; related ones are adjacent.
+std::vector<DriverSeries> shapes(const DriverSeries& driver, std::size_t motor,
+                                 const std::vector<DriverSeries>& drivers) {
+  const std::vector<double>& x = driver.atPicture;
+  const std::string name = expressionName(driver, motor);
+  const UnitPowers number, own = parseUnit(driver.unit).value_or(UnitPowers{{"K", 1}}),
+                           root = multiplyUnits({}, own, 0.5); // °C counts as K
+  std::vector<DriverSeries> result;
+  const auto add = [&](const std::string& expression, const UnitPowers& unit,
+                       const std::function<double(std::size_t)>& value) {
+    result.push_back(transformDriver(driver, motor, expression, unit, value));
+  };
+  add(name, own, [&](std::size_t i) { return x[i]; });
+  add(fmt::format("{}^2", name), multiplyUnits(own, own), [&](std::size_t i) { return x[i] * x[i]; });
+  add(fmt::format("abs({})", name), own, [&](std::size_t i) { return std::abs(x[i]); });
+  add(fmt::format("sign({})", name), number, [&](std::size_t i) { return x[i] > 0 ? 1 : x[i] < 0 ? -1 : 0; });
+  add(fmt::format("sign({0})*sqrt(abs({0}))", name), root,
+      [&](std::size_t i) { return std::copysign(std::sqrt(std::abs(x[i])), x[i]); });
+  add(fmt::format("sqrt(abs({}))", name), root, [&](std::size_t i) { return std::sqrt(std::abs(x[i])); });
+  if (driver.kind == Driver::angle) {
+    for (int k = 1; k <= 8; ++k) {
+      const std::string angle = k == 1 ? name : fmt::format("{}*{}", k, name);
+      add(fmt::format("sin({})", angle), number, [&](std::size_t i) { return std::sin(k * x[i]); });
+      add(fmt::format("cos({})", angle), number, [&](std::size_t i) { return std::cos(k * x[i]); });
+    }
+  }
+  if (driver.kind == Driver::time) {
+    std::vector<double> times = x;
+    std::sort(times.begin(), times.end());
+    times.erase(std::unique(times.begin(), times.end()), times.end());
+    for (std::size_t i = 1; i < times.size(); ++i) {
+      const double at = (times[i - 1] + times[i]) / 2;
+      add(fmt::format("({} > {:.6g} ? 1 : 0)", name, at), number, [&, at](std::size_t j) { return x[j] > at ? 1 : 0; });
+    }
+  }
+  for (const DriverSeries& other : drivers) {
+    if (other.kind == Driver::torque && other.joint == motor && driver.kind != Driver::torque) {
+      add(fmt::format("{}*tau", name), multiplyUnits(own, {{"Nm", 1}}),
+          [&](std::size_t i) { return x[i] * other.atPicture[i]; });
+    }
+  }
+  return result;
+}
+
+bool isSineOf(const std::string& sine, const std::string& cosine) {
+  return sine.starts_with("sin(") && cosine.starts_with("cos(") && sine.substr(4) == cosine.substr(4);
+}
+
+/// Adds to a finding the small expression that best follows the joint's misfit over its driver: linear, square, |x|,
+/// sign, root, sines and cosines of x to 8x, a step in time, the driver times the joint's torque.
+void fitExpression(const CandidateTests& candidateTests, const Measurements& measurements, const DriverBasis& cell,
+                   DriverCurve& finding) {
+  const std::vector<DriverSeries>& drivers = candidateTests.map().drivers;
+  DriverColumns columns =
+      buildProportionalColumns(measurements, shapes(drivers[cell.driver], cell.motor, drivers), candidateTests.poses());
+  const std::vector<DriverBasis> single = columns.cells;
+  const auto nameOf = [&](std::size_t i) { return columns.drivers[single[i].driver].name; };
+  for (std::size_t i = 0; i + 1 < single.size(); ++i) {
+    if (isSineOf(nameOf(i), nameOf(i + 1))) {
+      columns.cells.push_back(single[i]);
+      columns.cells.back().count = 2;
+    }
+  }
+  ScoreProblem problem = candidateTests.problem();
+  problem.map = &columns;
+  problem.plausible = Eigen::VectorXd::Constant(problem.candidates + columns.count, curvePriorSigma);
+  problem.groups.clear();
+  problem.named = 0;
+  for (const DriverBasis& shape : columns.cells) {
+    problem.groups.push_back({problem.candidates + shape.first, shape.count});
+  }
+  const Evidence evidence = computeEvidence(problem, candidateTests.noise());
+  const auto best = std::max_element(evidence.groups.begin(), evidence.groups.end(),
+                                     [](const auto& a, const auto& b) { return a.bayes < b.bayes; });
+  const DriverBasis& shape = columns.cells[static_cast<std::size_t>(best - evidence.groups.begin())];
+  for (std::size_t i = 0; i < single.size(); ++i) {
+    const Eigen::Index column = single[i].first - shape.first;
+    if (column >= 0 && column < shape.count) {
+      const std::string coefficient = finding.coefficients.empty() ? "a" : "b";
+      finding.expression += (finding.expression.empty() ? "" : " + ") + coefficient + "*" + nameOf(i);
+      const UnitPowers unit = multiplyUnits({{"rad", 1}}, *parseUnit(columns.drivers[single[i].driver].unit), -1);
+      finding.coefficients.push_back({coefficient, best->estimate[column] / single[i].half, formatUnit(unit)});
+    }
+  }
+}
+
 /// A curve as a finding; of a mount, about the axis with the largest rotation.
 DriverCurve makeDriverCurve(const CandidateTests& candidateTests, const Measurements& measurements, std::size_t curve) {
   const CurveName name = curveName(candidateTests, measurements, curve);
@@ -121,25 +213,6 @@ std::vector<std::size_t> bestCurves(const CandidateTests& candidateTests, const 
   }
   return result;
 }
-
-} // namespace
-
-DriverMap mapDrivers(const CandidateTests& candidateTests, const Measurements& measurements) {
-  DriverMap map;
-  std::vector<std::size_t> best = bestCurves(candidateTests, measurements);
-  for (std::size_t i = 0; i < std::min<std::size_t>(3, best.size()); ++i) {
-    map.best.push_back(makeDriverCurve(candidateTests, measurements, best[i]));
-  }
-  std::sort(best.begin(), best.end());
-  for (std::size_t curve : best) {
-    const CurveName name = curveName(candidateTests, measurements, curve);
-    map.cells.push_back({name.place, name.driver, candidateTests.curveEvidence(curve).bayes,
-                         candidateTests.curveEvidence(curve).pValue});
-  }
-  return map;
-}
-
-namespace {
 
 /// Value of a field at one point: the two drivers, and the components with standard errors.
 struct FieldPoint {
@@ -215,6 +288,21 @@ double halfRange(const std::vector<std::array<double, 3>>& curve) {
 
 } // namespace
 
+DriverMap mapDrivers(const CandidateTests& candidateTests, const Measurements& measurements) {
+  DriverMap map;
+  std::vector<std::size_t> best = bestCurves(candidateTests, measurements);
+  for (std::size_t i = 0; i < std::min<std::size_t>(3, best.size()); ++i) {
+    map.best.push_back(makeDriverCurve(candidateTests, measurements, best[i]));
+  }
+  std::sort(best.begin(), best.end());
+  for (std::size_t curve : best) {
+    const CurveName name = curveName(candidateTests, measurements, curve);
+    map.cells.push_back({name.place, name.driver, candidateTests.curveEvidence(curve).bayes,
+                         candidateTests.curveEvidence(curve).pValue});
+  }
+  return map;
+}
+
 DriverCurve curveFromField(const ImageField& field, const Measurements& measurements) {
   const bool board = field.of != ImageField::Of::camera;
   const std::array<const char*, 2> drivers = board ? std::array{"x", "y"} : std::array{"u", "v"};
@@ -238,105 +326,6 @@ DriverCurve curveFromField(const ImageField& field, const Measurements& measurem
   }
   result.what = board ? "the place on the board" : "the place in the picture";
   return result;
-}
-
-namespace {
-
-/// A transformed driver, named by its expression.
-DriverSeries transformDriver(const DriverSeries& driver, std::size_t motor, const std::string& expression,
-                             const UnitPowers& unit, const std::function<double(std::size_t)>& value) {
-  DriverSeries result{
-      .kind = driver.kind, .joint = driver.joint, .name = expression, .unit = formatUnit(unit), .motor = motor};
-  for (std::size_t i = 0; i < driver.atPicture.size(); ++i) {
-    result.atPicture.push_back(value(i));
-  }
-  return result;
-}
-
-/// Shapes with a physical basis over one driver; related ones are adjacent.
-std::vector<DriverSeries> shapes(const DriverSeries& driver, std::size_t motor,
-                                 const std::vector<DriverSeries>& drivers) {
-  const std::vector<double>& x = driver.atPicture;
-  const std::string name = expressionName(driver, motor);
-  const UnitPowers number, own = parseUnit(driver.unit).value_or(UnitPowers{{"K", 1}}),
-                           root = multiplyUnits({}, own, 0.5); // °C counts as K
-  std::vector<DriverSeries> result;
-  const auto add = [&](const std::string& expression, const UnitPowers& unit,
-                       const std::function<double(std::size_t)>& value) {
-    result.push_back(transformDriver(driver, motor, expression, unit, value));
-  };
-  add(name, own, [&](std::size_t i) { return x[i]; });
-  add(fmt::format("{}^2", name), multiplyUnits(own, own), [&](std::size_t i) { return x[i] * x[i]; });
-  add(fmt::format("abs({})", name), own, [&](std::size_t i) { return std::abs(x[i]); });
-  add(fmt::format("sign({})", name), number, [&](std::size_t i) { return x[i] > 0 ? 1 : x[i] < 0 ? -1 : 0; });
-  add(fmt::format("sign({0})*sqrt(abs({0}))", name), root,
-      [&](std::size_t i) { return std::copysign(std::sqrt(std::abs(x[i])), x[i]); });
-  add(fmt::format("sqrt(abs({}))", name), root, [&](std::size_t i) { return std::sqrt(std::abs(x[i])); });
-  if (driver.kind == Driver::angle) {
-    for (int k = 1; k <= 8; ++k) {
-      const std::string angle = k == 1 ? name : fmt::format("{}*{}", k, name);
-      add(fmt::format("sin({})", angle), number, [&](std::size_t i) { return std::sin(k * x[i]); });
-      add(fmt::format("cos({})", angle), number, [&](std::size_t i) { return std::cos(k * x[i]); });
-    }
-  }
-  if (driver.kind == Driver::time) {
-    std::vector<double> times = x;
-    std::sort(times.begin(), times.end());
-    times.erase(std::unique(times.begin(), times.end()), times.end());
-    for (std::size_t i = 1; i < times.size(); ++i) {
-      const double at = (times[i - 1] + times[i]) / 2;
-      add(fmt::format("({} > {:.6g} ? 1 : 0)", name, at), number, [&, at](std::size_t j) { return x[j] > at ? 1 : 0; });
-    }
-  }
-  for (const DriverSeries& other : drivers) {
-    if (other.kind == Driver::torque && other.joint == motor && driver.kind != Driver::torque) {
-      add(fmt::format("{}*tau", name), multiplyUnits(own, {{"Nm", 1}}),
-          [&](std::size_t i) { return x[i] * other.atPicture[i]; });
-    }
-  }
-  return result;
-}
-
-bool isSineOf(const std::string& sine, const std::string& cosine) {
-  return sine.starts_with("sin(") && cosine.starts_with("cos(") && sine.substr(4) == cosine.substr(4);
-}
-
-} // namespace
-
-void fitExpression(const CandidateTests& candidateTests, const Measurements& measurements, const DriverBasis& cell,
-                   DriverCurve& finding) {
-  const std::vector<DriverSeries>& drivers = candidateTests.map().drivers;
-  DriverColumns columns =
-      buildProportionalColumns(measurements, shapes(drivers[cell.driver], cell.motor, drivers), candidateTests.poses());
-  const std::vector<DriverBasis> single = columns.cells;
-  const auto nameOf = [&](std::size_t i) { return columns.drivers[single[i].driver].name; };
-  for (std::size_t i = 0; i + 1 < single.size(); ++i) {
-    if (isSineOf(nameOf(i), nameOf(i + 1))) {
-      columns.cells.push_back(single[i]);
-      columns.cells.back().count = 2;
-    }
-  }
-  ScoreProblem problem = candidateTests.problem();
-  problem.map = &columns;
-  problem.plausible = Eigen::VectorXd::Constant(problem.candidates + columns.count, curvePriorSigma);
-  problem.groups.clear();
-  problem.named = 0;
-  for (const DriverBasis& shape : columns.cells) {
-    problem.groups.push_back({problem.candidates + shape.first, shape.count});
-  }
-  const Evidence evidence = computeEvidence(problem, candidateTests.noise());
-  const auto best = std::max_element(evidence.groups.begin(), evidence.groups.end(),
-                                     [](const auto& a, const auto& b) { return a.bayes < b.bayes; });
-  const DriverBasis& shape = columns.cells[static_cast<std::size_t>(best - evidence.groups.begin())];
-  for (std::size_t i = 0; i < single.size(); ++i) {
-    const Eigen::Index column = single[i].first - shape.first;
-    if (column >= 0 && column < shape.count) {
-      const std::string coefficient = finding.coefficients.empty() ? "a" : "b";
-      finding.expression += (finding.expression.empty() ? "" : " + ") + coefficient + "*" + nameOf(i);
-      const UnitPowers unit = multiplyUnits({{"rad", 1}}, *parseUnit(columns.drivers[single[i].driver].unit), -1);
-      finding.coefficients.push_back({coefficient, best->estimate[column] / single[i].half, formatUnit(unit)});
-    }
-  }
 }
 
 } // namespace naocal

@@ -13,34 +13,13 @@
 
 namespace naocal {
 
-Eigen::RowVectorXd monomials(const Eigen::Vector2d& at, int most) {
-  Eigen::RowVectorXd result((most + 1) * (most + 2) / 2);
-  Eigen::Index k = 0;
-  for (int degree = 0; degree <= most; ++degree) {
-    for (int ofY = 0; ofY <= degree; ++ofY) {
-      result[k++] = std::pow(at.x(), degree - ofY) * std::pow(at.y(), ofY);
-    }
-  }
-  return result;
-}
-
-SheetBasis::SheetBasis(const std::vector<Eigen::Vector3d>& points) : points_{points} {
-  for (const Eigen::Vector3d& point : points) {
-    box_.extend(point.head<2>());
-  }
-}
-
-Eigen::RowVectorXd SheetBasis::basis(std::size_t corner) const {
-  constexpr int degree = 3;
-  const Eigen::Vector2d at = points_[corner].head<2>() - box_.center();
-  return monomials(at / std::max(1e-6, box_.sizes().maxCoeff() / 2), degree);
-}
-
 namespace {
 
 constexpr Eigen::Index leastCorners = 4; // with three, the board's motion fits everything
-constexpr double counts = 0.5;           // weight above which a corner counts
-constexpr double leastNoise = 0.01;      // [px], lower limit of corner noise
+
+constexpr double counts = 0.5; // weight above which a corner counts
+
+constexpr double leastNoise = 0.01; // [px], lower limit of corner noise
 
 /// Sums over a pose's repeats of one board in one camera, per corner.
 struct RepeatSums {
@@ -91,7 +70,42 @@ MotionFreeResidual removeMotions(const BoardResidual& errors, const ImageObserva
   return result;
 }
 
+constexpr double plausibleShape = 0.001; // of a corner on its board [m]
+
+constexpr double plausibleLens = 1; // of a polynomial coefficient, at the edge of the picture [px]
+
+/// Position of a corner in the picture, about -1 to 1: (u, v) - (cx, cy), in units of cx. Uses the prediction, since
+/// measured positions share the noise of the errors to explain.
+Eigen::Vector2d cornerPlace(const Measurements& measurements, const MotionFreeResidual& observation,
+                            Eigen::Index corner) {
+  const auto lens = measurements.pictures[observation.errors->picture].nominal.lens();
+  return (observation.errors->predicted.col(corner) - lens.segment<2>(2)) / lens[2];
+}
+
 } // namespace
+
+Eigen::RowVectorXd monomials(const Eigen::Vector2d& at, int most) {
+  Eigen::RowVectorXd result((most + 1) * (most + 2) / 2);
+  Eigen::Index k = 0;
+  for (int degree = 0; degree <= most; ++degree) {
+    for (int ofY = 0; ofY <= degree; ++ofY) {
+      result[k++] = std::pow(at.x(), degree - ofY) * std::pow(at.y(), ofY);
+    }
+  }
+  return result;
+}
+
+SheetBasis::SheetBasis(const std::vector<Eigen::Vector3d>& points) : points_{points} {
+  for (const Eigen::Vector3d& point : points) {
+    box_.extend(point.head<2>());
+  }
+}
+
+Eigen::RowVectorXd SheetBasis::basis(std::size_t corner) const {
+  constexpr int degree = 3;
+  const Eigen::Vector2d at = points_[corner].head<2>() - box_.center();
+  return monomials(at / std::max(1e-6, box_.sizes().maxCoeff() / 2), degree);
+}
 
 Eigen::MatrixXd MotionFreeResidual::removeMotion(const Eigen::MatrixXd& columns) const {
   return columns - errors->motionRows * motion.solve(weighted.transpose() * columns);
@@ -178,21 +192,6 @@ FieldFit MotionFreeResiduals::fitField(Eigen::Index count, double plausible,
   result.pValue = fTail(explained / freedom / noise, freedom, remaining);
   return result;
 }
-
-namespace {
-
-constexpr double plausibleShape = 0.001; // of a corner on its board [m]
-constexpr double plausibleLens = 1;      // of a polynomial coefficient, at the edge of the picture [px]
-
-/// Position of a corner in the picture, about -1 to 1: (u, v) - (cx, cy), in units of cx. Uses the prediction, since
-/// measured positions share the noise of the errors to explain.
-Eigen::Vector2d cornerPlace(const Measurements& measurements, const MotionFreeResidual& observation,
-                            Eigen::Index corner) {
-  const auto lens = measurements.pictures[observation.errors->picture].nominal.lens();
-  return (observation.errors->predicted.col(corner) - lens.segment<2>(2)) / lens[2];
-}
-
-} // namespace
 
 ImageField fitCornerField(const MotionFreeResiduals& errors, const Measurements& measurements, std::size_t board) {
   const Eigen::Index count = 3 * eigenIndex(measurements.targets[board].board.points.size());

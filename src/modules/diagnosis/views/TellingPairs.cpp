@@ -16,6 +16,7 @@ namespace naocal {
 namespace {
 
 using Error = TellingPair::Error;
+
 using Over = TellingPair::Over;
 
 /// A value with its pictures. Subtracting t from it lowers the squared errors by 2 slope t - gram t^2 [px^2].
@@ -34,6 +35,8 @@ std::vector<std::size_t> blocksOfPictures(const Measurements& measurements) {
   }
   return result;
 }
+
+using Error = TellingPair::Error;
 
 /// Predicted - measured of every corner with a weight, at joint angles as read.
 std::vector<Value> cornerErrors(const CalibrationResult& fit, const std::vector<std::size_t>& blocks, Error error) {
@@ -86,6 +89,8 @@ struct Tried {
   const std::vector<Value>* values = nullptr;
   std::vector<double> x; // per value
 };
+
+using Over = TellingPair::Over;
 
 Tried tryPair(TellingPair pair, const std::vector<Value>& values, const std::vector<DriverSeries>& drivers) {
   Tried result{pair, &values, {}};
@@ -145,73 +150,6 @@ std::vector<TellingPair> selectDiffering(std::vector<TellingPair> pairs) {
   }
   return result;
 }
-
-} // namespace
-
-TellingPairs findTellingPairs(const FittedModel& fitted, const std::vector<DriverSeries>& drivers,
-                              const TellingOptions& options) {
-  const auto rows =
-      Residuals{fitted.measurements, fitted.model, fitted.fit.noise, fitted.fit.loss}.rows(fitted.fit.state);
-  if (!rows) {
-    return {};
-  }
-  TellingPairs result;
-  result.joints = computeJointCorrections(fitted.measurements, *rows, fitted.fit.noise);
-  const std::vector<std::size_t> blocks = blocksOfPictures(fitted.measurements);
-  const std::vector<Value> right = cornerErrors(fitted.fit, blocks, Error::right),
-                           down = cornerErrors(fitted.fit, blocks, Error::down);
-  const std::vector<Value> rightOf = averageByPicture(right, blocks.size()),
-                           downOf = averageByPicture(down, blocks.size());
-  std::vector<std::vector<Value>> joints;
-  double squares = 0;
-  for (const std::vector<Value>* corners : {&right, &down}) {
-    for (const Value& corner : *corners) {
-      squares += corner.weight * corner.y * corner.y;
-    }
-  }
-  for (const SingleJointCorrection& joint : result.joints) {
-    joints.push_back(jointErrors(joint, blocks));
-  }
-
-  std::vector<Tried> all;
-  for (const auto& [error, corners, pictures] :
-       {std::tuple{Error::right, &right, &rightOf}, std::tuple{Error::down, &down, &downOf}}) {
-    for (const Over over : {Over::column, Over::row}) {
-      all.push_back(tryPair({.error = error, .over = over}, *corners, drivers));
-    }
-    for (std::size_t driver = 0; driver < drivers.size(); ++driver) {
-      all.push_back(tryPair({.error = error, .driver = driver}, *pictures, drivers));
-    }
-  }
-  for (std::size_t i = 0; i < joints.size(); ++i) {
-    for (std::size_t driver = 0; driver < drivers.size(); ++driver) {
-      const std::size_t motor = result.joints[i].motor;
-      if (drivers[driver].motor.value_or(motor) == motor) {
-        all.push_back(tryPair({.error = Error::joint, .motor = motor, .driver = driver}, joints[i], drivers));
-      }
-    }
-  }
-  std::vector<Trend> trends;
-  for (const Tried& one : all) {
-    trends.push_back(trendOf(one));
-    result.tried += trends.back().isTestable();
-  }
-  const std::vector<double> chances = computeFamilyWiseChances(trends, options.draws, options.seed);
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (chances[i] <= options.alarm) {
-      TellingPair& pair = result.pairs.emplace_back(all[i].pair);
-      pair.chance = chances[i];
-      describePair(all[i], trends[i], squares, pair);
-    }
-  }
-  result.pairs = selectDiffering(std::move(result.pairs));
-  return result;
-}
-
-namespace {
-
-using Error = TellingPair::Error;
-using Over = TellingPair::Over;
 
 std::string errorWords(const TellingPair& pair, const Robot& robot) {
   switch (pair.error) {
@@ -276,6 +214,66 @@ std::string formatChange(const TellingPair& pair, const std::vector<DriverSeries
 }
 
 } // namespace
+
+TellingPairs findTellingPairs(const FittedModel& fitted, const std::vector<DriverSeries>& drivers,
+                              const TellingOptions& options) {
+  const auto rows =
+      Residuals{fitted.measurements, fitted.model, fitted.fit.noise, fitted.fit.loss}.rows(fitted.fit.state);
+  if (!rows) {
+    return {};
+  }
+  TellingPairs result;
+  result.joints = computeJointCorrections(fitted.measurements, *rows, fitted.fit.noise);
+  const std::vector<std::size_t> blocks = blocksOfPictures(fitted.measurements);
+  const std::vector<Value> right = cornerErrors(fitted.fit, blocks, Error::right),
+                           down = cornerErrors(fitted.fit, blocks, Error::down);
+  const std::vector<Value> rightOf = averageByPicture(right, blocks.size()),
+                           downOf = averageByPicture(down, blocks.size());
+  std::vector<std::vector<Value>> joints;
+  double squares = 0;
+  for (const std::vector<Value>* corners : {&right, &down}) {
+    for (const Value& corner : *corners) {
+      squares += corner.weight * corner.y * corner.y;
+    }
+  }
+  for (const SingleJointCorrection& joint : result.joints) {
+    joints.push_back(jointErrors(joint, blocks));
+  }
+
+  std::vector<Tried> all;
+  for (const auto& [error, corners, pictures] :
+       {std::tuple{Error::right, &right, &rightOf}, std::tuple{Error::down, &down, &downOf}}) {
+    for (const Over over : {Over::column, Over::row}) {
+      all.push_back(tryPair({.error = error, .over = over}, *corners, drivers));
+    }
+    for (std::size_t driver = 0; driver < drivers.size(); ++driver) {
+      all.push_back(tryPair({.error = error, .driver = driver}, *pictures, drivers));
+    }
+  }
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    for (std::size_t driver = 0; driver < drivers.size(); ++driver) {
+      const std::size_t motor = result.joints[i].motor;
+      if (drivers[driver].motor.value_or(motor) == motor) {
+        all.push_back(tryPair({.error = Error::joint, .motor = motor, .driver = driver}, joints[i], drivers));
+      }
+    }
+  }
+  std::vector<Trend> trends;
+  for (const Tried& one : all) {
+    trends.push_back(trendOf(one));
+    result.tried += trends.back().isTestable();
+  }
+  const std::vector<double> chances = computeFamilyWiseChances(trends, options.draws, options.seed);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (chances[i] <= options.alarm) {
+      TellingPair& pair = result.pairs.emplace_back(all[i].pair);
+      pair.chance = chances[i];
+      describePair(all[i], trends[i], squares, pair);
+    }
+  }
+  result.pairs = selectDiffering(std::move(result.pairs));
+  return result;
+}
 
 std::string describeDriver(const DriverSeries& driver, const Robot& robot) {
   const std::string& joint = robot.joints[driver.joint].name;

@@ -35,6 +35,27 @@ std::string addressOf(const Generic::endpoint& endpoint) {
                                        where, reason)};
 }
 
+/// Enables TCP keep-alive (2 s idle, 1 s interval, 4 probes): a lost client is detected within about 6 s, so that its
+/// last will is applied.
+void watchNetwork(Socket& socket, std::chrono::milliseconds unconfirmed) {
+  const int file = socket.native_handle();
+  const auto set = [&](int level, int option, int value) { ::setsockopt(file, level, option, &value, sizeof value); };
+  set(SOL_SOCKET, SO_KEEPALIVE, 1);
+  set(IPPROTO_TCP, TCP_KEEPIDLE, 2);  // s
+  set(IPPROTO_TCP, TCP_KEEPINTVL, 1); // s
+  set(IPPROTO_TCP, TCP_KEEPCNT, 4);   // unanswered
+  if (unconfirmed.count() > 0) {
+    set(IPPROTO_TCP, TCP_USER_TIMEOUT, int(unconfirmed.count()));
+  }
+}
+
+/// Limits the unsent data in the kernel's send buffer. Otherwise megabytes queue up there before a slow client counts
+/// as busy, and new data is delayed by many seconds.
+void keepQueueShort(Socket& socket) {
+  const int most = 32 << 10; // [bytes] not sent yet
+  ::setsockopt(socket.native_handle(), IPPROTO_TCP, TCP_NOTSENT_LOWAT, &most, sizeof most);
+}
+
 } // namespace
 
 Listener::Listener(boost::asio::io_context& context, Protocol& protocol, std::size_t maxClients, ClientLimits limits,
@@ -117,31 +138,6 @@ void Listener::accept(Acceptor& door) {
     });
   });
 }
-
-namespace {
-
-/// Enables TCP keep-alive (2 s idle, 1 s interval, 4 probes): a lost client is detected within about 6 s, so that its
-/// last will is applied.
-void watchNetwork(Socket& socket, std::chrono::milliseconds unconfirmed) {
-  const int file = socket.native_handle();
-  const auto set = [&](int level, int option, int value) { ::setsockopt(file, level, option, &value, sizeof value); };
-  set(SOL_SOCKET, SO_KEEPALIVE, 1);
-  set(IPPROTO_TCP, TCP_KEEPIDLE, 2);  // s
-  set(IPPROTO_TCP, TCP_KEEPINTVL, 1); // s
-  set(IPPROTO_TCP, TCP_KEEPCNT, 4);   // unanswered
-  if (unconfirmed.count() > 0) {
-    set(IPPROTO_TCP, TCP_USER_TIMEOUT, int(unconfirmed.count()));
-  }
-}
-
-/// Limits the unsent data in the kernel's send buffer. Otherwise megabytes queue up there before a slow client counts
-/// as busy, and new data is delayed by many seconds.
-void keepQueueShort(Socket& socket) {
-  const int most = 32 << 10; // [bytes] not sent yet
-  ::setsockopt(socket.native_handle(), IPPROTO_TCP, TCP_NOTSENT_LOWAT, &most, sizeof most);
-}
-
-} // namespace
 
 void Listener::makeRoom() {
   if (connections_.size() < mostClients_) {

@@ -22,6 +22,20 @@ CornerBlocks allCorners(const Board& board) {
   return packCorners(board, all);
 }
 
+/// Information of the visible corners about the 6-D motion of the image.
+Eigen::Matrix<double, 6, 6> ofMotion(const ProjectedBlocks& corners, const std::vector<int>& seen) {
+  Eigen::Matrix<double, 6, 6> sum = Eigen::Matrix<double, 6, 6>::Zero();
+  for (const int corner : seen) {
+    const ProjectedBlock& block = corners[static_cast<std::size_t>(corner / 4)];
+    Eigen::Matrix<double, 6, 2> rows;
+    for (int i = 0; i < 6; ++i) {
+      rows.row(i) << block.rowsU[i][corner % 4], block.rowsV[i][corner % 4];
+    }
+    sum += rows * rows.transpose();
+  }
+  return sum;
+}
+
 } // namespace
 
 PlanningScene::PlanningScene(const Robot& robot, SupportFoot foot, const std::vector<Board>& boards,
@@ -112,24 +126,6 @@ std::vector<VisibleBoard> PlanningScene::visibleBoards(const ModelState& modelSt
   }
   return sights;
 }
-
-namespace {
-
-/// Information of the visible corners about the 6-D motion of the image.
-Eigen::Matrix<double, 6, 6> ofMotion(const ProjectedBlocks& corners, const std::vector<int>& seen) {
-  Eigen::Matrix<double, 6, 6> sum = Eigen::Matrix<double, 6, 6>::Zero();
-  for (const int corner : seen) {
-    const ProjectedBlock& block = corners[static_cast<std::size_t>(corner / 4)];
-    Eigen::Matrix<double, 6, 2> rows;
-    for (int i = 0; i < 6; ++i) {
-      rows.row(i) << block.rowsU[i][corner % 4], block.rowsV[i][corner % 4];
-    }
-    sum += rows * rows.transpose();
-  }
-  return sum;
-}
-
-} // namespace
 
 Eigen::MatrixXd PlanningScene::information(const ModelState& modelState, const LinkPoses& torsoFromLink,
                                            double pixel) const {

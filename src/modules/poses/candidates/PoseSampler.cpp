@@ -29,6 +29,15 @@ Eigen::MatrixXd whitenColumns(const Eigen::MatrixXd& gram, Eigen::Index joints, 
   return gram - half.transpose() * half;
 }
 
+std::vector<std::size_t> headJoints(const Robot& robot) {
+  std::set<std::size_t> joints;
+  for (const CameraMount& camera : robot.cameras) {
+    const std::vector<std::size_t> ofCamera = ancestorJoints(robot, camera.link);
+    joints.insert(ofCamera.begin(), ofCamera.end());
+  }
+  return {joints.begin(), joints.end()};
+}
+
 } // namespace
 
 PoseCandidates samplePoses(const Robot& robot, const PlanningScene& scene, const PoseOptions& options,
@@ -107,19 +116,6 @@ std::vector<PlannedPose> planInformativePoses(const Robot& robot, const std::vec
   }
   return poses;
 }
-
-namespace {
-
-std::vector<std::size_t> headJoints(const Robot& robot) {
-  std::set<std::size_t> joints;
-  for (const CameraMount& camera : robot.cameras) {
-    const std::vector<std::size_t> ofCamera = ancestorJoints(robot, camera.link);
-    joints.insert(ofCamera.begin(), ofCamera.end());
-  }
-  return {joints.begin(), joints.end()};
-}
-
-} // namespace
 
 PassCounts& PassCounts::operator+=(const PassCounts& other) {
   generated += other.generated;

@@ -15,23 +15,6 @@
 
 namespace naocal {
 
-Eigen::VectorXd drawApproach(const Robot& robot, std::mt19937_64& random) {
-  Eigen::VectorXd result(eigenIndex(robot.joints.size()));
-  for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
-    const double drawn = random() % 2 == 0 ? 1 : -1;
-    const std::size_t motor = robot.joints[joint].motor;
-    result[eigenIndex(joint)] = motor < joint ? result[eigenIndex(motor)] : drawn;
-  }
-  return result;
-}
-
-bool dependsOnApproach(const Model& model) {
-  return std::any_of(model.terms().begin(), model.terms().end(), [](const Term& term) {
-    const auto& needs = term.effect.needs;
-    return std::find(needs.begin(), needs.end(), Driver::approach) != needs.end();
-  });
-}
-
 namespace {
 
 /// Footing of the fitted robot: half of the drawn robot's, for the uncertainty of the fit.
@@ -67,7 +50,59 @@ Capture plannedCapture(const CaptureSet& set, const Robot& robot, const Proposed
   return capture;
 }
 
+/// The fit's unknowns, mapped to the extended model; new stances are at the last stance's place.
+Eigen::VectorXd extendUnknowns(const FittedModel& fitted, const Measurements& extended, const Model& model,
+                               const std::vector<LocalScene>& around) {
+  Eigen::VectorXd result = mapParameters(fitted.model, fitted.fit.unknowns, model);
+  for (const Term& term : model.terms()) {
+    if (term.effect.place != EffectSite::stance || fitted.model.find(term.label())) {
+      continue;
+    }
+    for (const LocalScene& here : around) {
+      if (here.supportFoot == extended.stances[term.site].supportFoot) {
+        result.segment<3>(static_cast<Eigen::Index>(term.first)) << here.sole.x, here.sole.y, here.sole.yaw;
+      }
+    }
+  }
+  return result;
+}
+
+/// Transforms a placement on the floor to the frame of another one.
+Placement seenFrom(const Placement& sole, const Placement& board) {
+  const double x = board.x - sole.x, y = board.y - sole.y, c = std::cos(sole.yaw), s = std::sin(sole.yaw);
+  Placement result;
+  result.x = c * x + s * y;
+  result.y = c * y - s * x;
+  result.yaw = wrapAngle(board.yaw - sole.yaw);
+  return result;
+}
+
+template <typename Numbers> Placement onFloor(const Numbers& numbers) {
+  Placement result;
+  result.x = numbers[0];
+  result.y = numbers[1];
+  result.yaw = numbers[5];
+  return result;
+}
+
 } // namespace
+
+Eigen::VectorXd drawApproach(const Robot& robot, std::mt19937_64& random) {
+  Eigen::VectorXd result(eigenIndex(robot.joints.size()));
+  for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
+    const double drawn = random() % 2 == 0 ? 1 : -1;
+    const std::size_t motor = robot.joints[joint].motor;
+    result[eigenIndex(joint)] = motor < joint ? result[eigenIndex(motor)] : drawn;
+  }
+  return result;
+}
+
+bool dependsOnApproach(const Model& model) {
+  return std::any_of(model.terms().begin(), model.terms().end(), [](const Term& term) {
+    const auto& needs = term.effect.needs;
+    return std::find(needs.begin(), needs.end(), Driver::approach) != needs.end();
+  });
+}
 
 std::vector<BoardCorners> cornersSeenBy(const std::string& camera, const std::vector<VisibleBoard>& sights) {
   std::vector<BoardCorners> result;
@@ -154,27 +189,6 @@ std::vector<ProposedPose> filterFeasible(const FittedModel& fitted, const std::v
   return poses;
 }
 
-namespace {
-
-/// The fit's unknowns, mapped to the extended model; new stances are at the last stance's place.
-Eigen::VectorXd extendUnknowns(const FittedModel& fitted, const Measurements& extended, const Model& model,
-                               const std::vector<LocalScene>& around) {
-  Eigen::VectorXd result = mapParameters(fitted.model, fitted.fit.unknowns, model);
-  for (const Term& term : model.terms()) {
-    if (term.effect.place != EffectSite::stance || fitted.model.find(term.label())) {
-      continue;
-    }
-    for (const LocalScene& here : around) {
-      if (here.supportFoot == extended.stances[term.site].supportFoot) {
-        result.segment<3>(static_cast<Eigen::Index>(term.first)) << here.sole.x, here.sole.y, here.sole.yaw;
-      }
-    }
-  }
-  return result;
-}
-
-} // namespace
-
 double samplesPerPose(const Measurements& measurements) {
   std::size_t pictures = 0;
   std::set<std::pair<const PoseGroup*, std::size_t>> views;
@@ -243,28 +257,6 @@ PlannedInformation predictInformation(const FittedModel& fitted, const ModelAmbi
   }
   return result;
 }
-
-namespace {
-
-/// Transforms a placement on the floor to the frame of another one.
-Placement seenFrom(const Placement& sole, const Placement& board) {
-  const double x = board.x - sole.x, y = board.y - sole.y, c = std::cos(sole.yaw), s = std::sin(sole.yaw);
-  Placement result;
-  result.x = c * x + s * y;
-  result.y = c * y - s * x;
-  result.yaw = wrapAngle(board.yaw - sole.yaw);
-  return result;
-}
-
-template <typename Numbers> Placement onFloor(const Numbers& numbers) {
-  Placement result;
-  result.x = numbers[0];
-  result.y = numbers[1];
-  result.yaw = numbers[5];
-  return result;
-}
-
-} // namespace
 
 std::vector<LocalScene> findLocalScenes(const FittedModel& fitted) {
   const Measurements& measurements = fitted.measurements;

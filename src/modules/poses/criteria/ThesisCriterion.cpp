@@ -28,6 +28,27 @@ Eigen::Vector3d rigidMotion(const Eigen::Matrix2Xd& from, const Eigen::Matrix2Xd
   return {b.x() - turned.x(), b.y() - turned.y(), turn};
 }
 
+template <typename PairValue> Eigen::ArrayXd perPair(Eigen::Index joints, const PairValue& value) {
+  Eigen::ArrayXd result(joints * (joints - 1) / 2);
+  for (Eigen::Index b = 0, pair = 0; b < joints; ++b) {
+    for (Eigen::Index a = 0; a < b; ++a, ++pair) {
+      result[pair] = value(a, b);
+    }
+  }
+  return result;
+}
+
+Eigen::VectorXd jointWeights(const Robot& robot, const std::vector<std::size_t>& joints,
+                             const std::map<std::string, double>& weights) {
+  Eigen::VectorXd result = Eigen::VectorXd::Ones(eigenIndex(joints.size()));
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    if (const auto weight = weights.find(robot.joints[joints[i]].name); weight != weights.end()) {
+      result[eigenIndex(i)] = weight->second;
+    }
+  }
+  return result;
+}
+
 } // namespace
 
 FloorSensor::FloorSensor(const Robot& robot, const Sole& support,
@@ -94,20 +115,6 @@ Eigen::MatrixXd FloorSensor::observe(const Eigen::VectorXd& angles) const {
   return result;
 }
 
-namespace {
-
-template <typename PairValue> Eigen::ArrayXd perPair(Eigen::Index joints, const PairValue& value) {
-  Eigen::ArrayXd result(joints * (joints - 1) / 2);
-  for (Eigen::Index b = 0, pair = 0; b < joints; ++b) {
-    for (Eigen::Index a = 0; a < b; ++a, ++pair) {
-      result[pair] = value(a, b);
-    }
-  }
-  return result;
-}
-
-} // namespace
-
 Eigen::ArrayXd computeJointInteraction(const Eigen::MatrixXd& observation) {
   return perPair(observation.cols(), [&](Eigen::Index a, Eigen::Index b) {
     const double norms = observation.col(a).norm() * observation.col(b).norm();
@@ -150,21 +157,6 @@ std::vector<std::size_t> InteractionCriterion::selectChain(const std::vector<Eig
   }
   return chosen;
 }
-
-namespace {
-
-Eigen::VectorXd jointWeights(const Robot& robot, const std::vector<std::size_t>& joints,
-                             const std::map<std::string, double>& weights) {
-  Eigen::VectorXd result = Eigen::VectorXd::Ones(eigenIndex(joints.size()));
-  for (std::size_t i = 0; i < joints.size(); ++i) {
-    if (const auto weight = weights.find(robot.joints[joints[i]].name); weight != weights.end()) {
-      result[eigenIndex(i)] = weight->second;
-    }
-  }
-  return result;
-}
-
-} // namespace
 
 ThesisCriterion::ThesisCriterion(const Robot& robot, const Sole& support,
                                  const std::map<std::string, CameraIntrinsics>& cameras,
