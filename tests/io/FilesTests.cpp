@@ -83,7 +83,7 @@ TEST_CASE("what cannot be read is refused by name") {
   // Proves it for a missing file and for a folder.
   const TemporaryFolder folder;
   const fs::path missing = folder.path() / "none";
-  CHECK_THROWS_WITH(readFile(missing), Catch::StartsWith(missing.string()) && Catch::Contains("No such file"));
+  CHECK_THROWS_WITH(readFile(missing), Catch::StartsWith(missing.string()) && Catch::Contains("no such file"));
   CHECK_THROWS_WITH(readFile(folder.path()), Catch::Contains("a folder"));
   CHECK_THROWS_WITH(readCaptureSet(missing), Catch::StartsWith((missing / "captures.json").string()));
 }
