@@ -87,8 +87,8 @@ Diagnosis withProgress(const Measurements& measurements, DiagnosisOptions option
 }
 
 int diagnose(DiagnoseCommand& command) {
-  const LoadedSets given = loadSets(command.sets, command.skipBad);
-  const Measurements measurements = buildMeasurements(given.sets, given.robot, command.samePlace);
+  LoadedSets given = loadSets(command.sets, command.skipBad);
+  const Measurements measurements = buildMeasurements(std::move(given.sets), given.robot, command.samePlace);
   const GivenOptions asIs{command.sets,  command.options.with, command.options.without,
                           command.model, command.samePlace,    command.skipBad};
   readModel(command, measurements.robot);

@@ -11,6 +11,7 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace naocal {
@@ -38,8 +39,8 @@ Model askedModel(const SolveCommand& command, const Measurements& measurements) 
 int solve(SolveCommand& command) {
   command.options.estimateNoise = !command.fixedNoise;
   command.options.robust = !command.plain;
-  const LoadedSets given = loadSets(command.sets, command.skipBad);
-  const Measurements measurements = buildMeasurements(given.sets, given.robot, command.samePlace);
+  LoadedSets given = loadSets(command.sets, command.skipBad);
+  const Measurements measurements = buildMeasurements(std::move(given.sets), given.robot, command.samePlace);
   const Model model = askedModel(command, measurements);
   const CalibrationResult result = calibrate(measurements, model, command.options);
   const auto json = resultJson({measurements, model, result}, given.inputs);
