@@ -1,11 +1,15 @@
 #include "calibration/Calibration.hpp"
+#include "calibration/ModelUncertainty.hpp"
 #include "estimation/ModelBuilder.hpp"
+#include "inference/Evidence.hpp"
 #include "math/Angles.hpp"
+#include "math/LinearAlgebra.hpp"
 #include "simulation/Simulation.hpp"
 #include "simulation/StandingPoses.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <optional>
 
 namespace naocal {
 namespace {
@@ -17,6 +21,29 @@ SimulationPlan planOf(const Robot& robot, std::size_t poses) {
 }
 
 } // namespace
+
+TEST_CASE("where one number of an effect is beyond plausible, its others may be, too") {
+  // Proves that an effect's priors widen together: the captures determine an eccentricity's sine part at three
+  // plausible sizes and say nothing of its cosine part, which the joint's offset imitates. An effect of plausible size
+  // keeps its priors.
+  const Robot robot = loadRobot(configurationDirectory(), "V6");
+  const Simulation simulation = simulate(robot, planOf(robot, 4), 1);
+  const Measurements measurements = buildMeasurements({simulation.set}, robot);
+  const Model model = buildModel(measurements, {"encoderEccentricity@LKneePitch"});
+  const Term& effect = *model.find("encoderEccentricity@LKneePitch");
+  const Eigen::VectorXd sigmas = effect.sigmas();
+  const auto widened = [&](double sineInSigmas) {
+    Eigen::VectorXd unknowns = Eigen::VectorXd::Zero(eigenIndex(model.unknownCount()));
+    Eigen::VectorXd variances = model.sigmas().cwiseAbs2();
+    unknowns[eigenIndex(effect.first)] = sineInSigmas * sigmas[0];
+    variances[eigenIndex(effect.first)] *= 0.1; // determined by the captures
+    return widenPriors(model, unknowns, variances);
+  };
+  const std::optional<Model> wide = widened(3);
+  REQUIRE(wide);
+  CHECK(wide->find("encoderEccentricity@LKneePitch")->sigmas().isApprox(plausibleWidths[1].width * sigmas));
+  CHECK_FALSE(widened(0.5));
+}
 
 TEST_CASE("a camera that sits elsewhere is no scatter of joints", "[slow]") {
   // Proves that noise levels are estimated with the widest model: with both cameras displaced by up to 3 mm, the pose

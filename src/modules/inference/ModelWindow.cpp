@@ -123,6 +123,13 @@ private:
   WindowModel estimate(WindowModel result) {
     const std::vector<Eigen::Index> columns = columnsOf(result.members);
     const auto count = eigenIndex(columns.size());
+    if (count == 0) {
+      result.unknowns = alone0_;
+      result.variances = variances_;
+      result.chi2 = std::max(0.0, chi2OfNone_);
+      result.freedom = std::max(1.0, misfit_.freedom);
+      return result;
+    }
     const Eigen::MatrixXd information = informationOf(result.members, count);
     const Eigen::VectorXd score = score_(columns);
     const Eigen::LDLT<Eigen::MatrixXd> factor{posteriorPrecision(result, information)};
