@@ -45,19 +45,19 @@ public:
     countGroups();
   }
 
-  /// Evaluates a model: cost mixed over all choices of plausible widths, estimates at the likeliest choice.
+  /// A model with its cost, mixed over all choices of plausible widths; without estimates.
   WindowModel model(const Members& members) {
-    std::vector<WindowModel> all = modelsOfEveryWidth(members);
-    const auto best = likeliestOf(all);
-    WindowModel result = estimate(std::move(*best));
-    double sum = 0;
+    const std::vector<WindowModel> all = modelsOfEveryWidth(members);
+    double least = std::numeric_limits<double>::infinity(), sum = 0;
     for (const WindowModel& one : all) {
-      sum += std::exp((best->cost - one.cost) / 2);
+      least = std::min(least, one.cost);
     }
-    result.cost -= 2 * std::log(sum);
-    return result;
+    for (const WindowModel& one : all) {
+      sum += std::exp((least - one.cost) / 2);
+    }
+    return {.members = members, .cost = least - 2 * std::log(sum)};
   }
-  /// The same, one for each choice of its members' plausible widths.
+  /// The model once for each choice of its members' plausible widths, with estimates.
   std::vector<WindowModel> modelsByWidth(const Members& members) {
     std::vector<WindowModel> all = modelsOfEveryWidth(members);
     for (WindowModel& one : all) {
@@ -80,10 +80,6 @@ public:
   double misfitOf(const WindowModel& model) const { return std::max(1.0, model.chi2 / model.freedom); }
 
 private:
-  static std::vector<WindowModel>::iterator likeliestOf(std::vector<WindowModel>& models) {
-    return std::min_element(models.begin(), models.end(),
-                            [](const WindowModel& a, const WindowModel& b) { return a.cost < b.cost; });
-  }
   /// Posterior precision of the members' sizes, in units of what is plausible: information + 1 / width^2.
   static Eigen::MatrixXd posteriorPrecision(const WindowModel& model, Eigen::MatrixXd information) {
     Eigen::Index column = 0;
