@@ -256,11 +256,12 @@ Fit refitWithMisfitNoise(const Measurements& measurements, const Model& model, c
   }
   const double before = rmsAsReported(measurements, model, from);
   double least = rmsAsReported(measurements, model, fit);
-  Noise rigid = from.noise; // deflections hide the misfit where joints do scatter
-  rigid.pose = rigid.reapproach = rigid.stance = 0;
-  if (auto there =
-          restart(measurements, model, from.noise, from.loss, refit(measurements, model, rigid, from.loss, from))) {
-    if (const double rms = rmsAsReported(measurements, model, *there); rms < nearer * least) {
+  if (from.noise.pose > 0 || from.noise.reapproach > 0 || from.noise.stance > 0) { // deflections may hide the misfit
+    Noise rigid = from.noise;
+    rigid.pose = rigid.reapproach = rigid.stance = 0;
+    auto there =
+        restart(measurements, model, from.noise, from.loss, refit(measurements, model, rigid, from.loss, from));
+    if (const double rms = there ? rmsAsReported(measurements, model, *there) : least; rms < nearer * least) {
       fit = *std::move(there);
       least = rms;
     }
