@@ -7,7 +7,7 @@
 namespace naocal {
 
 TEST_CASE("a real NAO's arm and leg are predicted better than published", "[slow]") {
-  // Proves the whole chain on measurements of a robot at another laboratory (Freiburg, 2014): fitted to the training
+  // Proves the whole chain on measurements of a robot in another laboratory (Freiburg, 2014): fitted to the training
   // set with joint offsets, mount, lens and marks; evaluated on the test set. Published with all four limbs: 4.0 px
   // (arm), 5.2 px (leg).
   const auto data = sharedData("nao-freiburg-2014");

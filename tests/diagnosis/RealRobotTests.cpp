@@ -7,7 +7,7 @@
 namespace naocal {
 
 TEST_CASE("what is found missing in a real NAO's limbs predicts captures that the search has not seen", "[slow]") {
-  // Proves the loop on measurements of a robot at another laboratory (Freiburg, 2014): diagnosis of the training set,
+  // Proves the loop on measurements of a robot in another laboratory (Freiburg, 2014): diagnosis of the training set,
   // suggestions added, prediction of the test set. Published with six free parameters per link: 2.1 px (arm), 4.2 px
   // (leg). Here the lens is fixed, and at most twelve unknowns are added.
   const auto data = sharedData("nao-freiburg-2014");

@@ -51,7 +51,7 @@ struct Panel::Implementation {
 
   Message hello() const {
     const Json hello{{"kind", "hello"},
-                     {"laboratory", analysis.worker() != nullptr},
+                     {"analysis", analysis.worker() != nullptr},
                      {"robots", robots.addresses()},
                      {"joints", jointNames}}; // order of per-joint lists in robots' messages
     return makeMessage(jsonText(hello));

@@ -25,12 +25,12 @@ import {onMessage as onRobotMessage, selectedRobot} from "./robots/robots.js";
 
 // `kinds`: messages after which a view is redrawn; `worked`: called when the bridge starts or ends a task.
 const views = [
-  {id: "compare", name: "Compare", show: showCompare, kinds: ["fit"], laboratory: true},
-  {id: "learn", name: "Learn", show: showLearn, kinds: ["fit", "questions"], laboratory: true},
-  {id: "map", name: "Map", show: parent => showMap(parent, go), kinds: ["fit", "questions"], laboratory: true},
-  {id: "own", name: "Custom effect", show: showUserEffect, kinds: ["set"], laboratory: true},
-  {id: "result", name: "Result", show: showResult, kinds: ["fit", "keys", "robot"], laboratory: true},
-  {id: "next", name: "Next poses", show: showNext, kinds: ["fit", "next", "work", "keys", "robot"], laboratory: true},
+  {id: "compare", name: "Compare", show: showCompare, kinds: ["fit"], analysis: true},
+  {id: "learn", name: "Learn", show: showLearn, kinds: ["fit", "questions"], analysis: true},
+  {id: "map", name: "Map", show: parent => showMap(parent, go), kinds: ["fit", "questions"], analysis: true},
+  {id: "own", name: "Custom effect", show: showUserEffect, kinds: ["set"], analysis: true},
+  {id: "result", name: "Result", show: showResult, kinds: ["fit", "keys", "robot"], analysis: true},
+  {id: "next", name: "Next poses", show: showNext, kinds: ["fit", "next", "work", "keys", "robot"], analysis: true},
   {id: "files", name: "Files", show: showFiles, worked: filesWorked, kinds: ["set", "compared"]},
   {id: "match", name: "Calibrate", show: showCalibrate, leave: leaveCalibrate, kinds: []},
   {id: "live", name: "Live", show: showLive, leave: leaveLive, kinds: []},
@@ -40,7 +40,7 @@ const views = [
 const keyed = ["1", "2", "3", "4", "5", "6", "7", "8", "9", "0", "t"]; // keyboard shortcuts of the views
 /** @type {any} */
 let current;
-let complete = false; // whether all data of the laboratory's views have arrived
+let complete = false; // whether all data of the analysis views have arrived
 
 function go(id) {
   if (location.hash === "#" + id) open();
@@ -48,7 +48,7 @@ function go(id) {
 }
 
 function open() {
-  const wanted = views.find(({id}) => id === location.hash.slice(1)) || (state.laboratory ? views[0] : views.find(({id}) => id === "match"));
+  const wanted = views.find(({id}) => id === location.hash.slice(1)) || (state.analysis ? views[0] : views.find(({id}) => id === "match"));
   if (current !== wanted && current && current.leave) current.leave();
   const arrived = current !== wanted;
   current = wanted;
@@ -57,7 +57,7 @@ function open() {
     else tab.removeAttribute("aria-current");
   }
   document.title = current.name + " – naocal panel";
-  at("model").hidden = !(current.laboratory && state.laboratory);
+  at("model").hidden = !(current.analysis && state.analysis);
   /** @type {HTMLElement} */ (document.querySelector("main")).classList.toggle("wide", at("model").hidden);
   draw();
   if (!arrived) return;
@@ -75,8 +75,8 @@ addEventListener("resize", showTab);
 function draw() {
   const view = at("view");
   complete = Boolean(state.fit && state.set && state.ladder);
-  if (!current.laboratory) current.show(view);
-  else if (!state.laboratory) {
+  if (!current.analysis) current.show(view);
+  else if (!state.analysis) {
     view.replaceChildren(empty("No captures are open", "Start ", element("code", {}, "mate-bridge captures/"), " with a capture set, a result or a diagnosis, or open one in ",
       button("Files", () => go("files"), {class: "small"}), "."));
   } else if (state.unfitted) view.replaceChildren(empty("These captures could not be fitted", state.unfitted.sentence.replace(/\.?$/, ". ") + "Remove what it names from the model or the captures, then open them again in ",
@@ -89,7 +89,7 @@ function draw() {
 }
 
 // Whether the view needs results for this model that the bridge is still computing.
-const awaitsAnswers = () => Boolean(current && current.laboratory && complete && current.kinds.includes("questions") && !state.questions && !state.unfitted);
+const awaitsAnswers = () => Boolean(current && current.analysis && complete && current.kinds.includes("questions") && !state.questions && !state.unfitted);
 
 // Shows the previous model's results, dimmed and inert, until those for this model arrive.
 function showEarlier(view) {
@@ -116,9 +116,9 @@ function sayWaiting(note) {
 }
 
 // Messages about the open captures; "questions" refer to the preceding "fit".
-const laboratoryKinds = ["set", "ladder", "fit", "unfitted", "questions", "found", "next", "compared"];
+const analysisKinds = ["set", "ladder", "fit", "unfitted", "questions", "found", "next", "compared"];
 const forget = kinds => kinds.forEach(kind => { state[kind] = null; });
-for (const kind of laboratoryKinds) {
+for (const kind of analysisKinds) {
   on(kind, message => {
     if (kind === "fit") state.earlier = state.questions || state.earlier;
     state[kind] = message;
@@ -128,17 +128,17 @@ for (const kind of laboratoryKinds) {
 }
 function redraw(kind) {
   if (!current) return;
-  if (current.kinds.includes(kind) || (current.laboratory && !complete)) draw();
+  if (current.kinds.includes(kind) || (current.analysis && !complete)) draw();
   else if (!at("model").hidden) showModel(at("model"));
 }
-on("hello", ({laboratory}) => { // the laboratory's messages follow
-  forget([...laboratoryKinds, "earlier"]);
-  state.laboratory = laboratory;
+on("hello", ({analysis}) => { // the analysis messages follow
+  forget([...analysisKinds, "earlier"]);
+  state.analysis = analysis;
   open();
 });
 on("opened", () => { // other captures were opened
-  forget([...laboratoryKinds, "earlier"]);
-  state.laboratory = true;
+  forget([...analysisKinds, "earlier"]);
+  state.analysis = true;
   state.chosen = null;
   go("compare");
 });
@@ -197,9 +197,9 @@ views.forEach((view, i) => {
   tab.dataset.view = view.id;
   at("tabs").append(tab);
 });
-offerViews([...views.filter(({laboratory}) => laboratory).map(({name, show}) => ({name, show, shows: () => Boolean(state.laboratory && state.fit && state.set && state.ladder)})),
+offerViews([...views.filter(({analysis}) => analysis).map(({name, show}) => ({name, show, shows: () => Boolean(state.analysis && state.fit && state.set && state.ladder)})),
   {name: "Model", show: showModel, shows: () => Boolean(state.fit && state.ladder)}, {name: "Calibrate", show: calibrationSummary, shows: hasCalibration}]);
 addEventListener("hashchange", open);
-const linked = connected => showLink(connected, () => { if (current && !current.laboratory) draw(); });
+const linked = connected => showLink(connected, () => { if (current && !current.analysis) draw(); });
 linked(false);
 connect(linked);

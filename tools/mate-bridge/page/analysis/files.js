@@ -25,7 +25,7 @@ on("made", async ({file}) => {
 });
 
 export function showFiles(parent) {
-  const {set, compared} = state, open = state.laboratory;
+  const {set, compared} = state, open = state.analysis;
   renew(parent, element("h1", {}, "Files"),
     element("h2", {}, "Open"), element("p", {class: "soft"}, open && set ? "Open now: " + set.names.join(", ") + "." : "Nothing is open.", " A capture set, a recording of the robot, a result, a diagnosis, a session.json, or a saved model.json with its captures; nothing in them is changed. One path per line."),
     paths("open", "path of what to open", typed, value => { typed = value; }, list => act({do: "open", paths: list}), "Open"),

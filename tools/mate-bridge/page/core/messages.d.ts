@@ -108,7 +108,7 @@ export interface RobotEntry {
 
 /** Messages are null until the bridge has sent them; the panel shows a view of the captures only with set, ladder and fit. */
 export interface PanelState {
-  laboratory: boolean;
+  analysis: boolean;
   set: SetMessage;
   ladder: LadderMessage;
   fit: FitMessage;

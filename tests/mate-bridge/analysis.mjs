@@ -1,7 +1,7 @@
-// Drives the laboratory in a real browser: opens a set with a hidden effect, adds the effect by a click, and checks that
+// Drives the analysis in a real browser: opens a set with a hidden effect, adds the effect by a click, and checks that
 // the displayed error falls to the noise; a custom effect; undo; pages of other origins are refused.
 // Proves that page, bridge and library work together, and saves screenshots of every view; numbers are not validated.
-// Usage: node laboratory.mjs NAOCAL MATE-BRIDGE NODE_MODULES PICTURES
+// Usage: node analysis.mjs NAOCAL MATE-BRIDGE NODE_MODULES PICTURES
 import {createServer} from "node:http";
 import {cpSync, mkdirSync, readFileSync, writeFileSync} from "node:fs";
 import {join} from "node:path";
