@@ -1,6 +1,7 @@
 #pragma once
 
 #include "diagnosis/Diagnosis.hpp"
+#include "diagnosis/evidence/CrossValidation.hpp"
 #include "diagnosis/views/ImageField.hpp"
 
 #include <map>
@@ -57,6 +58,13 @@ public:
   const std::vector<std::string>& added() const { return added_; }
 
 private:
+  /// Keeps each candidate's strongest evidence.
+  void recordEvidence(const CandidateTests& candidateTests, std::size_t step);
+  /// Appends the step with its held-out errors.
+  void appendStep(const CandidateTests& candidateTests, const std::optional<CrossValidation>& held,
+                  Diagnosis& diagnosis);
+  /// The first few likely candidates that lower the held-out error, likeliest first.
+  std::vector<std::size_t> shortlistCandidates(const CandidateTests& candidateTests) const;
   CandidateFinding& findingOf(const std::string& label);
   CandidateFinding& findingOf(const Term& term) { return findingOf(term.label()); }
   /// Marks two effects as indistinguishable in these captures.
