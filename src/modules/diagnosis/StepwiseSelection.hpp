@@ -21,6 +21,10 @@ std::vector<CandidateFinding> judgeCandidates(std::vector<CandidateFinding> find
 bool isTransient(const Effect& effect);
 
 /// Forward selection with removal: extends the model effect by effect and records the findings on each candidate.
+///
+/// Searches for one model of named effects to report. Criterion for the next effect: its Bayes factor, scaled by the
+/// decrease of chi2 after refitting, among effects that lower the held-out error. In contrast, `analyseMissingEffects`
+/// searches for a window of likely models to average the calibration's estimates over, without held-out error.
 class StepwiseSelection {
 public:
   StepwiseSelection(const Measurements& measurements, const Model& model, const DiagnosisOptions& options);
