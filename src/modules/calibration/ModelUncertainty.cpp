@@ -135,11 +135,11 @@ std::string formatGroup(const WideModel& wide, std::size_t group) {
   return wide.jointName(cell.motor) + " over " + expressionName(wide.map().drivers[cell.driver], cell.motor);
 }
 
-/// Searches for the likeliest explanation.
-class Search {
+/// Steps from fit to fit towards the likeliest explanation.
+class ExplanationSearch {
 public:
-  Search(const Measurements& measurements, const Model& model, const std::optional<RepeatInfo>& repeats,
-         const CalibrationOptions& options)
+  ExplanationSearch(const Measurements& measurements, const Model& model, const std::optional<RepeatInfo>& repeats,
+                    const CalibrationOptions& options)
       : measurements_{measurements}, added_{addedEffects(model)}, base_{without(model, added_)}, repeats_{repeats},
         options_{options}, candidates_{testableTerms(measurements, model, options.effects)} {}
 
@@ -284,7 +284,7 @@ std::optional<Model> widenPriors(const Model& model, const Eigen::VectorXd& unkn
 MissingEffectAnalysis analyseMissingEffects(const Measurements& measurements, const Model& model, const Fit& fit,
                                             const Noise& noise, const std::optional<RepeatInfo>& repeats,
                                             const CalibrationOptions& options) {
-  const Search search{measurements, model, repeats, options};
+  const ExplanationSearch search{measurements, model, repeats, options};
   MissingEffectAnalysis result{search.levelsAt(model, {}, fit, noise), fit, {}, model, fit, model, {}, {}};
   result.fit = result.largerFit = search.refineFully(model, result.levels.noise, fit);
   if (!search.added().empty()) {

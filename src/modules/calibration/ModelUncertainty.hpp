@@ -36,7 +36,11 @@ struct MissingEffectAnalysis {
 /// Estimates noise levels under the widest model and the window of explanations. Relinearises at the likeliest
 /// explanation until it no longer changes, since a linearisation far from a large effect underestimates it. Effects
 /// that the user added to the base model compete with all others, so an alias may replace them.
-/// `repeats`: how poses were repeated; absent: joint noise levels stay as in `noise`.
+///
+/// Searches for a window of likely models, named effects and free curves alike, to average the estimates over them.
+/// Criterion: posterior probability, from linearised Bayes factors and the number of candidates (`ModelWindow`). In
+/// contrast, the diagnosis' stepwise selection searches for one model to report and requires that each effect lowers
+/// the held-out error. `repeats`: how poses were repeated; absent: joint noise levels stay as in `noise`.
 MissingEffectAnalysis analyseMissingEffects(const Measurements& measurements, const Model& model, const Fit& fit,
                                             const Noise& noise, const std::optional<RepeatInfo>& repeats,
                                             const CalibrationOptions& options);

@@ -7,13 +7,9 @@
 #include "inference/Thresholds.hpp"
 #include "io/InputError.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <limits>
-#include <map>
-#include <set>
 
 namespace naocal {
 
@@ -96,69 +92,6 @@ bool mayBeMirrored(const CandidateTests& candidateTests, std::size_t motor) {
   return true;
 }
 
-constexpr std::size_t mostApproaches = 6, mostPoses = 3; // upper limits of the candidates
-
-/// Pictures of one approach or pose.
-struct Together {
-  std::size_t set = 0;
-  std::string pose;
-  std::set<double> times;
-  std::vector<int> captures; // ids
-  double squares = 0;        // sum over pictures of the corners' mean error squared, times the number of corners [px^2]
-  double corners = 0;
-
-  double error() const { return corners > 0 ? squares / corners : 0; }
-  Together& operator+=(const Together& other) {
-    set = other.set;
-    pose = other.pose;
-    times.insert(other.times.begin(), other.times.end());
-    captures.insert(captures.end(), other.captures.begin(), other.captures.end());
-    squares += other.squares;
-    corners += other.corners;
-    return *this;
-  }
-};
-
-/// Displacement of the floor under the robot at these times only: x, y, z [m], roll, pitch, yaw [rad].
-Effect makeDisplacement(std::size_t set, std::set<double> times) {
-  constexpr double distance = 0.02, angle = 0.03;
-  Effect effect{.name = "wrongAngles",
-                .what = {},
-                .formula = {},
-                .place = EffectSite::all,
-                .unknowns = {{"x", "m", distance},
-                             {"y", "m", distance},
-                             {"z", "m", distance},
-                             {"roll", "rad", angle},
-                             {"pitch", "rad", angle},
-                             {"yaw", "rad", angle}},
-                .correct = {}};
-  effect.correct = [set, times = std::move(times)](ModelState& modelState, const RobotSample& instant, std::size_t,
-                                                   std::span<const double> values) {
-    if (instant.set == set && times.contains(instant.time.count())) {
-      modelState.worldFromSupport() += Eigen::Map<const Eigen::Matrix<double, 6, 1>>{values.data()};
-    }
-  };
-  return effect;
-}
-
-Together alone(const ImageObservation& picture, const Capture& capture, const std::vector<const BoardResidual*>& seen) {
-  Together together{picture.set, capture.pose, {picture.instant.time.count()}, {capture.id}};
-  for (const BoardResidual* observation : seen) {
-    const auto count = static_cast<double>(observation->residual.cols());
-    together.squares += count * observation->residual.rowwise().mean().squaredNorm();
-    together.corners += count;
-  }
-  return together;
-}
-
-/// The `most` groups with the largest errors, largest first.
-std::vector<Together> selectWorst(std::vector<Together> all, std::size_t most) {
-  std::stable_sort(all.begin(), all.end(), [](const Together& a, const Together& b) { return a.error() > b.error(); });
-  all.resize(std::min(most, all.size()));
-  return all;
-}
-
 } // namespace
 
 std::vector<DataAnomaly> findAnomalies(const FittedModel& fitted, const CandidateTests& candidateTests) {
@@ -211,50 +144,6 @@ std::vector<DataAnomaly> findDisplacedBoards(const Measurements& measurements, c
            .set = picture.set});
     }
   }
-  return result;
-}
-
-std::vector<TransientEvent> enumerateWrongAngles(const Measurements& measurements, const CalibrationResult& fit) {
-  std::map<std::size_t, std::vector<const BoardResidual*>> byPicture;
-  for (const BoardResidual& observation : fit.withReportedAngles) {
-    const ObservationChain& view =
-        measurements.pictures[observation.picture].observations[observation.observation].view;
-    if (measurements.targets[view.board()].onFloor) {
-      byPicture[observation.picture].push_back(&observation);
-    }
-  }
-  std::vector<Together> poses, approaches;
-  for (const PoseGroup& pose : measurements.poses) {
-    std::map<std::vector<std::size_t>, Together> rests; // readings with equal encoder errors belong to one approach
-    for (const EncoderSample& reading : pose.readings) {
-      for (const std::size_t index : reading.pictures) {
-        const ImageObservation& picture = measurements.pictures[index];
-        rests[reading.encoderError] += alone(picture, measurements.captureOf(picture), byPicture[index]);
-      }
-    }
-    poses.emplace_back();
-    for (const auto& [errors, rest] : rests) {
-      approaches.push_back(rest);
-      poses.back() += rest;
-    }
-  }
-  std::vector<TransientEvent> result;
-  const auto offer = [&](const std::vector<Together>& several, const char* what) {
-    for (const Together& one : several) {
-      const std::string ids = fmt::format("{}", fmt::join(one.captures, ", "));
-      const std::string which = one.captures.size() == 1 ? "capture " + ids : "captures " + ids;
-      result.push_back(
-          {.term = {makeDisplacement(one.set, one.times), 0,
-                    fmt::format("{} of {}", which, (*measurements.sets)[one.set].name)},
-           .who = which,
-           .where = " of pose " + one.pose,
-           .set = one.set,
-           .captures = one.captures,
-           .what = fmt::format("{} not belong to the rest: {}", one.captures.size() == 1 ? "does" : "do", what)});
-    }
-  };
-  offer(selectWorst(approaches, mostApproaches), "somebody touched the robot, or its angles are wrong there");
-  offer(selectWorst(poses, mostPoses), "somebody touched the robot, or a joint slipped there");
   return result;
 }
 

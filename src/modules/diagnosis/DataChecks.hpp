@@ -1,7 +1,6 @@
 #pragma once
 
 #include "diagnosis/Diagnosis.hpp"
-#include "diagnosis/Events.hpp"
 
 #include <vector>
 
@@ -16,10 +15,5 @@ std::vector<DataAnomaly> findTransientAnomalies(const FittedModel& fitted, const
 
 /// Observations with mostly outlying corners.
 std::vector<DataAnomaly> findDisplacedBoards(const Measurements& measurements, const CalibrationResult& fit);
-
-/// Candidates for wrong joint angles during a whole approach or pose (somebody touched the robot, a joint gave way):
-/// the robot between floor and head moves as a rigid body, for both cameras alike. Only the few with the largest common
-/// error of their corners, among those that saw boards on the floor.
-std::vector<TransientEvent> enumerateWrongAngles(const Measurements& measurements, const CalibrationResult& fit);
 
 } // namespace naocal

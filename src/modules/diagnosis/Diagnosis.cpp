@@ -2,13 +2,13 @@
 
 #include "calibration/Outliers.hpp"
 #include "diagnosis/DataChecks.hpp"
+#include "diagnosis/DiagnosisFigures.hpp"
 #include "diagnosis/DiagnosisWording.hpp"
 #include "diagnosis/OwnEffect.hpp"
 #include "diagnosis/SetUps.hpp"
 #include "diagnosis/StepwiseSelection.hpp"
 #include "diagnosis/views/DriverCurves.hpp"
 #include "estimation/ModelBuilder.hpp"
-#include "inference/DriverBasis.hpp"
 #include "inference/Thresholds.hpp"
 #include "io/InputError.hpp"
 
@@ -20,12 +20,6 @@
 namespace naocal {
 
 namespace {
-
-/// A model, its fit, and its candidate tests.
-struct DiagnosedModel {
-  FittedModel fitted;
-  const CandidateTests& candidateTests;
-};
 
 /// Whether a curve of the map explains the misfit better than `candidate` and than any other named effect, transient
 /// effects aside (they do not predict). The required lead grows with the evidence: a free curve mimics several effects
@@ -99,118 +93,145 @@ Diagnosis diagnoseUnfittable(const Measurements& measurements, const InputError&
   return result;
 }
 
-Figures::Left buildResidualViews(const DiagnosedModel& diagnosed) {
-  const FittedModel& fitted = diagnosed.fitted;
-  return {computeJointCorrections(fitted.measurements, diagnosed.candidateTests), computeResidualField(fitted),
-          estimateBoardShapes(fitted)};
-}
+/// Assessment of a model by its tests.
+struct Assessment {
+  bool striking = false;                           // a candidate or curve is significant and large enough to matter
+  bool alarm = false;                              // the misfit is real, and no anomaly accounts for it
+  bool grows = true;                               // the options allow a further addition
+  std::optional<ImageField> field;                 // noteworthy field within pictures
+  std::optional<StepwiseSelection::Choice> next;   // effect to add
+  bool unknownCurve = false, unknownField = false; // only such a curve or field explains the misfit
 
-/// Adds the figures to a finished diagnosis: captures per pose, correlations of the first candidates, their signatures,
-/// and the residuals of both models. `given`: the model as given.
-void assembleFigures(const DiagnosedModel& given, const DiagnosedModel& last, Diagnosis& diagnosis) {
-  constexpr std::size_t compared = 12, shown = 10;
-  diagnosis.figures.taken = indexCaptures(given.fitted.measurements);
-  std::vector<std::string> labels;
-  std::vector<std::size_t> candidates;
-  std::vector<CandidateFinding*> findings;
-  for (CandidateFinding& finding : diagnosis.ranking) {
-    labels.push_back(finding.term.label());
-    if (const auto candidate = given.candidateTests.findCandidate(labels.back());
-        candidate && candidates.size() < shown) {
-      candidates.push_back(*candidate);
-      findings.push_back(&finding);
-    }
-  }
-  diagnosis.figures.aliases = computeAliasMatrix(given.candidateTests, labels, compared);
-  std::vector<EffectSignature> looks = computeSignatures(given.fitted, given.candidateTests, candidates);
-  for (std::size_t i = 0; i < looks.size(); ++i) {
-    findings[i]->imprint = std::move(looks[i]);
-  }
-  diagnosis.figures.recorded = collectDrivers(given.fitted.measurements, given.fitted.model, given.fitted.fit.unknowns);
-  diagnosis.figures.given = buildResidualViews(given);
-  if (!diagnosis.suggested.empty()) {
-    diagnosis.figures.last = buildResidualViews(last);
-  }
-}
+  bool unknown() const { return unknownCurve || unknownField; }
+  std::optional<std::size_t> candidate() const { return next ? std::optional{next->candidate} : std::nullopt; }
+};
 
-/// Main loop: tests the model and adds missing effects until the alarm stops; then takes back additions that do not
-/// hold, and describes what is left.
-Diagnosis diagnoseModel(const Measurements& measurements, const Model& asked, const DiagnosisOptions& options) {
-  Diagnosis result;
-  StepwiseSelection selection{measurements, asked, options};
-  result.fit = selection.fit();
-  result.rmsPx = result.fit.rmsPx;
-  bool unknown = false;
-  double most = 0;                    // largest evidence of a field within pictures so far
-  std::list<CandidateTests> allTests; // tests of the model as given, and of the latest model
-  while (true) {
-    if (allTests.size() > 1) {
-      allTests.pop_back();
+/// Diagnosis of one model: adds missing effects until the alarm stops, takes back additions that do not hold, and
+/// describes the misfit that is left.
+class ModelDiagnosis {
+public:
+  ModelDiagnosis(const Measurements& measurements, const Model& asked, const DiagnosisOptions& options)
+      : measurements_{measurements}, asked_{asked}, options_{options}, selection_{measurements, asked, options} {}
+
+  Diagnosis run() {
+    result_.fit = selection_.fit();
+    result_.rmsPx = result_.fit.rmsPx;
+    do {
+      testModel();
+      findModelAnomalies();
+      assessMisfit();
+    } while (addNextEffect() || selection_.removeLastAdditions(result_));
+    describeCurves();
+    addDisplacedBoards();
+    reachVerdict();
+    rankCandidates();
+    suggestOwnEffect();
+    result_.lastFit = selection_.fit();
+    assembleFigures({{measurements_, asked_, result_.fit}, tests_.front()}, {fitted(), tests_.back()}, result_);
+    result_.sentence = summarize(result_);
+    return std::move(result_);
+  }
+
+private:
+  FittedModel fitted() const { return {measurements_, selection_.model(), selection_.fit()}; }
+
+  void testModel() {
+    if (tests_.size() > 1) {
+      tests_.pop_back();
     }
-    const FittedModel fitted{measurements, selection.model(), selection.fit()};
-    const CandidateTests& candidateTests =
-        allTests.emplace_back(fitted, selection.testableTerms(), options.candidateTests);
-    selection.recordStep(candidateTests, result);
-    if (result.steps.size() == 1) {
-      result.anomalies = findAnomalies(fitted, candidateTests);
-      result.alarm = candidateTests.evidence().pValue;
+    tests_.emplace_back(fitted(), selection_.testableTerms(), options_.candidateTests);
+    selection_.recordStep(tests_.back(), result_);
+  }
+
+  void findModelAnomalies() {
+    if (result_.steps.size() == 1) {
+      result_.anomalies = findAnomalies(fitted(), tests_.back());
+      result_.alarm = tests_.back().evidence().pValue;
     } else { // the misfit of the effect added last may have masked an accident
-      result.anomalies = findTransientAnomalies(fitted, candidateTests);
-    }
-    const std::optional<ImageField> field = noteworthyField(findStrikingField(fitted), most);
-    const double level = result.suggested.empty() ? options.alarm : threshold::laterAlarm * options.alarm;
-    const bool striking = candidateTests.evidence().pValue <= level && candidateTests.evidence().matters;
-    const bool alarm = (striking || field) && result.anomalies.empty();
-    const std::optional<StepwiseSelection::Choice> next = alarm ? selection.chooseNext(candidateTests) : std::nullopt;
-    const std::optional<std::size_t> candidate = next ? std::optional{next->candidate} : std::nullopt;
-    if (alarm && candidateTests.curveCount() > 0) {
-      unknown = isUnknown(candidateTests, candidate);
-    }
-    const bool unknownField = alarm && field && !explains(candidateTests, candidate, *field) &&
-                              selection.fieldPersists(*field, candidateTests);
-    unknown = unknown || unknownField;
-    const bool grows = options.extend && (!options.shouldContinue || options.shouldContinue());
-    if (!grows || !alarm || unknown || !candidate || !selection.add(candidateTests, *next, result)) {
-      if (selection.removeLastAdditions(result)) {
-        unknown = false;
-        continue;
-      }
-      auto [cells, best] = mapDrivers(candidateTests, measurements);
-      result.driverScores = std::move(cells);
-      result.driverCurves = std::move(best);
-      if (unknownField) {
-        result.driverCurves.insert(result.driverCurves.begin(), curveFromField(*field, measurements));
-      }
-      result.scatter = selection.fit().noise.pose;
-      const bool lasting = !result.anomalies.empty() && !result.anomalies.front().capture; // then all seem displaced
-      if (!unknown && !lasting && (result.suggested.empty() || !striking)) {
-        appendNewAnomalies(findDisplacedBoards(measurements, selection.refitWithoutDisplacedBoards()),
-                           result.anomalies);
-      }
-      const bool missing = !result.suggested.empty() || (!grows && candidate);
-      result.unexplained = alarm && !candidate && !unknown && !missing;
-      result.verdict = verdictOf(result, selection.fit().misfit, missing, unknown);
-      result.with = selection.added();
-      if (unknown && !unknownField && grows) {
-        result.own = fitOwnEffect(result.driverCurves.front(), measurements, selection, result, options.candidateTests);
-      }
-      const std::vector<std::string> leading = result.suggested.empty() && candidate
-                                                   ? std::vector{candidateTests.candidates()[*candidate].label()}
-                                                   : result.suggested;
-      result.ranking =
-          judgeCandidates(selection.findings(), candidateTests, selection.model(), selection.fit(), leading);
-      if (result.own) {
-        result.suggested.push_back(result.own->label);
-        result.steps.push_back(result.own->step);
-      }
-      break;
+      result_.anomalies = findTransientAnomalies(fitted(), tests_.back());
     }
   }
-  result.lastFit = selection.fit();
-  assembleFigures({{measurements, asked, result.fit}, allTests.front()},
-                  {{measurements, selection.model(), result.lastFit}, allTests.back()}, result);
-  result.sentence = summarize(result);
-  return result;
+
+  void assessMisfit() {
+    const CandidateTests& tests = tests_.back();
+    const double level = result_.suggested.empty() ? options_.alarm : threshold::laterAlarm * options_.alarm;
+    last_ = {};
+    last_.field = noteworthyField(findStrikingField(fitted()), mostField_);
+    last_.striking = tests.evidence().pValue <= level && tests.evidence().matters;
+    last_.alarm = (last_.striking || last_.field) && result_.anomalies.empty();
+    if (last_.alarm) {
+      last_.next = selection_.chooseNext(tests);
+      last_.unknownCurve = tests.curveCount() > 0 && isUnknown(tests, last_.candidate());
+      last_.unknownField = last_.field && !explains(tests, last_.candidate(), *last_.field) &&
+                           selection_.fieldPersists(*last_.field, tests);
+    }
+    last_.grows = options_.extend && (!options_.shouldContinue || options_.shouldContinue());
+  }
+
+  /// False if no effect is to be added, or no further one may be.
+  bool addNextEffect() {
+    return last_.grows && !last_.unknown() && last_.next && selection_.add(tests_.back(), *last_.next, result_);
+  }
+
+  void describeCurves() {
+    auto [cells, best] = mapDrivers(tests_.back(), measurements_);
+    result_.driverScores = std::move(cells);
+    result_.driverCurves = std::move(best);
+    if (last_.unknownField) {
+      result_.driverCurves.insert(result_.driverCurves.begin(), curveFromField(*last_.field, measurements_));
+    }
+  }
+
+  /// Only beside a model that explains the other captures.
+  void addDisplacedBoards() {
+    const bool lasting = !result_.anomalies.empty() && !result_.anomalies.front().capture; // then all seem displaced
+    if (!last_.unknown() && !lasting && (result_.suggested.empty() || !last_.striking)) {
+      appendNewAnomalies(findDisplacedBoards(measurements_, selection_.refitWithoutDisplacedBoards()),
+                         result_.anomalies);
+    }
+  }
+
+  void reachVerdict() {
+    const bool missing = !result_.suggested.empty() || (!last_.grows && last_.next);
+    result_.unexplained = last_.alarm && !last_.next && !last_.unknown() && !missing;
+    result_.scatter = selection_.fit().noise.pose;
+    result_.verdict = verdictOf(result_, selection_.fit().misfit, missing, last_.unknown());
+    result_.with = selection_.added();
+  }
+
+  void rankCandidates() {
+    std::vector<std::string> leading = result_.suggested;
+    if (leading.empty() && last_.next) {
+      leading = {tests_.back().candidates()[last_.next->candidate].label()};
+    }
+    result_.ranking =
+        judgeCandidates(selection_.findings(), tests_.back(), selection_.model(), selection_.fit(), leading);
+  }
+
+  /// The unknown curve as an effect, if it holds.
+  void suggestOwnEffect() {
+    if (last_.unknown() && !last_.unknownField && last_.grows) {
+      result_.own =
+          fitOwnEffect(result_.driverCurves.front(), measurements_, selection_, result_, options_.candidateTests);
+    }
+    if (result_.own) {
+      result_.suggested.push_back(result_.own->label);
+      result_.steps.push_back(result_.own->step);
+    }
+  }
+
+  const Measurements& measurements_;
+  const Model& asked_;
+  const DiagnosisOptions& options_;
+  StepwiseSelection selection_;
+  std::list<CandidateTests> tests_; // of the model as given, and of the latest model
+  double mostField_ = 0;            // largest evidence of a field within pictures so far
+  Assessment last_;                 // of the latest model
+  Diagnosis result_;
+};
+
+Diagnosis diagnoseModel(const Measurements& measurements, const Model& asked, const DiagnosisOptions& options) {
+  return ModelDiagnosis{measurements, asked, options}.run();
 }
 
 /// Whether an accident spoiled specific captures only.

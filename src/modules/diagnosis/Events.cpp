@@ -114,30 +114,43 @@ std::string formatSet(std::size_t set, const Measurements& measurements) {
   return sets.size() > 1 ? " of " + sets[set].name : std::string{};
 }
 
-/// Whether the set contains several of them.
-bool hasSeveral(std::size_t set, const Times& times) {
-  const auto ofSet = [set](const auto& entry) { return entry.first.first == set; };
-  return std::count_if(times.begin(), times.end(), ofSet) > 1;
+/// The times in sets that contain several of them.
+Times ofSeveral(const Times& all) {
+  Times result = all;
+  std::erase_if(result, [&](const auto& entry) {
+    return std::count_if(all.begin(), all.end(),
+                         [&](const auto& other) { return other.first.first == entry.first.first; }) <= 1;
+  });
+  return result;
+}
+
+/// Observation times of everything that may be displaced; joints by their motors.
+struct Sightings {
+  Times boards, stances, cameras, joints;
+};
+
+Sightings collectSightings(const Measurements& measurements) {
+  Sightings result;
+  for (const ImageObservation& picture : measurements.pictures) {
+    const double time = picture.instant.time.count();
+    for (const BoardObservation& observation : picture.observations) {
+      if (measurements.targets[observation.view.board()].onFloor) {
+        result.boards[{picture.set, observation.view.board()}].insert(time);
+        result.stances[{picture.set, picture.stance}].insert(time);
+      }
+      result.cameras[{picture.set, picture.camera}].insert(time);
+    }
+    for (const std::size_t joint :
+         picture.observations.empty() ? std::vector<std::size_t>{} : observedJoints(measurements.robot, picture)) {
+      result.joints[{picture.set, measurements.robot.joints[joint].motor}].insert(time);
+    }
+  }
+  return result;
 }
 
 /// Displacements of boards, stances, cameras and joint zeros, at up to `most` moments each.
 std::vector<TransientEvent> movesAt(std::size_t most, const Measurements& measurements) {
   std::vector<TransientEvent> result;
-  Times boards, stances, cameras, joints;
-  for (const ImageObservation& picture : measurements.pictures) {
-    const double time = picture.instant.time.count();
-    for (const BoardObservation& observation : picture.observations) {
-      if (measurements.targets[observation.view.board()].onFloor) {
-        boards[{picture.set, observation.view.board()}].insert(time);
-        stances[{picture.set, picture.stance}].insert(time);
-      }
-      cameras[{picture.set, picture.camera}].insert(time);
-    }
-    for (const std::size_t joint :
-         picture.observations.empty() ? std::vector<std::size_t>{} : observedJoints(measurements.robot, picture)) {
-      joints[{picture.set, measurements.robot.joints[joint].motor}].insert(time);
-    }
-  }
   const auto addMoves = [&](const Times& times, const auto& effect, const auto& name) {
     for (const auto& [which, seen] : times) {
       const auto& [set, at] = which;
@@ -154,18 +167,17 @@ std::vector<TransientEvent> movesAt(std::size_t most, const Measurements& measur
       }
     }
   };
-  Times movable = boards, knockable = cameras;
+  const Sightings all = collectSightings(measurements);
   // with a single board, a move is attributed to the robot; with a single camera, to the head
-  std::erase_if(movable, [&](const auto& entry) { return !hasSeveral(entry.first.first, boards); });
-  std::erase_if(knockable, [&](const auto& entry) { return !hasSeveral(entry.first.first, cameras); });
   addMoves(
-      movable, [](const Moment& moment) { return makeMove(EffectSite::board, moment); },
+      ofSeveral(all.boards), [](const Moment& moment) { return makeMove(EffectSite::board, moment); },
       [&](std::size_t at) { return "board " + measurements.targets[at].name; });
   addMoves(
-      stances, [](const Moment& moment) { return makeMove(EffectSite::stance, moment); },
+      all.stances, [](const Moment& moment) { return makeMove(EffectSite::stance, moment); },
       [&](std::size_t at) { return "the robot in stance " + measurements.stances[at].name; });
-  addMoves(knockable, makeKnock, [&](std::size_t at) { return "camera " + measurements.robot.cameras[at].name; });
-  addMoves(joints, makeStep, [&](std::size_t at) { return measurements.robot.joints[at].name; });
+  addMoves(ofSeveral(all.cameras), makeKnock,
+           [&](std::size_t at) { return "camera " + measurements.robot.cameras[at].name; });
+  addMoves(all.joints, makeStep, [&](std::size_t at) { return measurements.robot.joints[at].name; });
   return result;
 }
 

@@ -1,8 +1,8 @@
 #include "diagnosis/LikelyEvent.hpp"
 
-#include "diagnosis/DataChecks.hpp"
 #include "diagnosis/Events.hpp"
 #include "diagnosis/StepwiseSelection.hpp"
+#include "diagnosis/WrongAngles.hpp"
 #include "inference/NoiseLevels.hpp"
 #include "inference/ScoreTest.hpp"
 #include "inference/Thresholds.hpp"

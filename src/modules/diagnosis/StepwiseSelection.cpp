@@ -4,7 +4,6 @@
 #include "calibration/ModelUncertainty.hpp"
 #include "diagnosis/SetUps.hpp"
 #include "diagnosis/evidence/Aliasing.hpp"
-#include "diagnosis/evidence/CrossValidation.hpp"
 #include "diagnosis/evidence/Power.hpp"
 #include "estimation/Model.hpp"
 #include "estimation/ModelBuilder.hpp"
@@ -119,6 +118,44 @@ bool isNeeded(const Term& term, const CalibrationResult& fit, double leastZ = 2)
   return chi2 > leastZ * leastZ * static_cast<double>(count);
 }
 
+/// Each candidate alone, then all pairs.
+std::vector<std::vector<std::size_t>> listAloneAndInPairs(const std::vector<std::size_t>& candidates) {
+  std::vector<std::vector<std::size_t>> result;
+  for (const std::size_t candidate : candidates) {
+    result.push_back({candidate});
+  }
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      result.push_back({candidates[i], candidates[j]});
+    }
+  }
+  return result;
+}
+
+/// Whether a pair with the candidate lowers the held-out error. `asked`: the combinations that `held` evaluates.
+bool lowersErrorInPair(std::size_t candidate, const std::vector<std::vector<std::size_t>>& asked,
+                       const CrossValidation& held) {
+  for (std::size_t i = 0; i < asked.size(); ++i) {
+    const bool isAmong = std::find(asked[i].begin(), asked[i].end(), candidate) != asked[i].end();
+    if (asked[i].size() == 2 && isAmong && held.afterPx[i] < held.beforePx) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Candidates with more evidence than `least`, likeliest first. Significant but negligible ones rank behind those that
+/// matter.
+std::vector<std::size_t> rankLikely(const CandidateTests& candidateTests, double least) {
+  std::vector<std::size_t> result = candidateTests.candidatesByEvidence();
+  std::erase_if(result,
+                [&](std::size_t candidate) { return candidateTests.candidateEvidence(candidate).bayes <= least; });
+  std::stable_partition(result.begin(), result.end(), [&](std::size_t candidate) {
+    return !candidateTests.evidence().matters || candidateTests.candidateEvidence(candidate).matters();
+  });
+  return result;
+}
+
 } // namespace
 
 std::vector<CandidateFinding> judgeCandidates(std::vector<CandidateFinding> findings, const CandidateTests& last,
@@ -216,37 +253,18 @@ CandidateFinding& StepwiseSelection::findingOf(const std::string& label) {
 }
 
 void StepwiseSelection::recordStep(const CandidateTests& candidateTests, Diagnosis& diagnosis) {
-  for (std::size_t i = 0; i < candidateTests.candidates().size(); ++i) {
-    CandidateFinding& finding = findingOf(candidateTests.candidates()[i]);
-    finding.alone = diagnosis.steps.empty() ? candidateTests.candidateEvidence(i) : finding.alone;
-    if (candidateTests.candidateEvidence(i).bayes > finding.evidence.bayes) {
-      finding.evidence = candidateTests.candidateEvidence(i);
-      finding.step = diagnosis.steps.size();
-      finding.plausible = isPlausible(finding.evidence, finding.term.sigmas());
-    }
-  }
-  std::vector<std::size_t> order = candidateTests.candidatesByRank();
-  order.resize(std::min<std::size_t>(order.size(), 10));
-  std::vector<std::vector<std::size_t>> asked; // each candidate alone, then all pairs
-  for (const std::size_t candidate : order) {
-    asked.push_back({candidate});
-  }
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      asked.push_back({order[i], order[j]});
-    }
-  }
+  constexpr std::size_t few = 10;
+  recordEvidence(candidateTests, diagnosis.steps.size());
+  std::vector<std::size_t> first = candidateTests.candidatesByRank();
+  first.resize(std::min(first.size(), few));
+  const std::vector<std::vector<std::size_t>> asked = listAloneAndInPairs(first);
   const std::optional<CrossValidation> held = crossValidate(candidateTests, model_, diagnosis.suggested, asked);
   misleading_ = takenBack_;
   byTwo_.clear();
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    CandidateFinding& finding = findingOf(candidateTests.candidates()[order[i]]);
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    CandidateFinding& finding = findingOf(candidateTests.candidates()[first[i]]);
     if (held && held->afterPx[i] >= held->beforePx) { // one of two missing effects may not help alone
-      bool helps = false;
-      for (std::size_t k = order.size(); k < asked.size(); ++k) {
-        const bool isAmong = std::find(asked[k].begin(), asked[k].end(), order[i]) != asked[k].end();
-        helps = helps || (isAmong && held->afterPx[k] < held->beforePx);
-      }
+      const bool helps = lowersErrorInPair(first[i], asked, *held);
       (helps ? byTwo_ : misleading_).push_back(finding.term.label());
     }
     if (finding.step == diagnosis.steps.size()) {
@@ -254,9 +272,30 @@ void StepwiseSelection::recordStep(const CandidateTests& candidateTests, Diagnos
         finding.heldOutBefore = held->beforePx;
         finding.heldOutAfter = held->afterPx[i];
       }
-      finding.addedVariable = computeAddedVariable(candidateTests, model_, order[i]);
+      finding.addedVariable = computeAddedVariable(candidateTests, model_, first[i]);
     }
   }
+  if (held && before_ && held->chosenPx < before_->heldOutPx) {
+    before_.reset();
+  }
+  appendStep(candidateTests, held, diagnosis);
+}
+
+void StepwiseSelection::recordEvidence(const CandidateTests& candidateTests, std::size_t step) {
+  for (std::size_t i = 0; i < candidateTests.candidates().size(); ++i) {
+    CandidateFinding& finding = findingOf(candidateTests.candidates()[i]);
+    const GroupEvidence& evidence = candidateTests.candidateEvidence(i);
+    finding.alone = step == 0 ? evidence : finding.alone;
+    if (evidence.bayes > finding.evidence.bayes) {
+      finding.evidence = evidence;
+      finding.step = step;
+      finding.plausible = isPlausible(finding.evidence, finding.term.sigmas());
+    }
+  }
+}
+
+void StepwiseSelection::appendStep(const CandidateTests& candidateTests, const std::optional<CrossValidation>& held,
+                                   Diagnosis& diagnosis) {
   const LackOfFit misfit = testLackOfFit(candidateTests);
   SelectionStep step{.dropped = dropped_, .rmsPx = fit_.rmsPx, .noiseFloorPx = misfit.noiseFloorPx};
   step.chi2 = fit_.chi2;
@@ -265,9 +304,6 @@ void StepwiseSelection::recordStep(const CandidateTests& candidateTests, Diagnos
   if (held) {
     step.heldOutPx = held->chosenPx;
     step.nextPx = held->nextPx;
-    if (before_ && held->chosenPx < before_->heldOutPx) {
-      before_.reset();
-    }
   }
   if (diagnosis.steps.empty()) {
     diagnosis.lackOfFit = misfit;
@@ -336,32 +372,31 @@ double StepwiseSelection::leastEvidence(const CandidateTests& candidateTests) co
   return isFirst ? 0 : 2 * std::log(std::max<double>(1, static_cast<double>(candidateTests.candidates().size())));
 }
 
-std::optional<StepwiseSelection::Choice> StepwiseSelection::chooseNext(const CandidateTests& candidateTests) {
+std::vector<std::size_t> StepwiseSelection::shortlistCandidates(const CandidateTests& candidateTests) const {
   constexpr std::size_t most = 4;
-  std::vector<std::size_t> order, likely = candidateTests.candidatesByEvidence();
-  const double floor = leastEvidence(candidateTests);
-  std::erase_if(likely,
-                [&](std::size_t candidate) { return candidateTests.candidateEvidence(candidate).bayes <= floor; });
-  // significant but negligible candidates rank behind those that matter
-  std::stable_partition(likely.begin(), likely.end(), [&](std::size_t candidate) {
-    return !candidateTests.evidence().matters || candidateTests.candidateEvidence(candidate).matters();
-  });
+  const std::vector<std::size_t> likely = rankLikely(candidateTests, leastEvidence(candidateTests));
   const auto lasting = std::find_if(likely.begin(), likely.end(), [&](std::size_t candidate) {
     return !isTransient(candidateTests.candidates()[candidate].effect);
   });
   const double least =
       lasting == likely.end() ? 0 : candidateTests.candidateEvidence(*lasting).bayes - threshold::maxEvidenceGap;
+  std::vector<std::size_t> result;
   for (const std::size_t candidate : likely) {
     const GroupEvidence& here = candidateTests.candidateEvidence(candidate);
-    const GroupEvidence& first = candidateTests.candidateEvidence(order.empty() ? candidate : order.front());
-    if (order.size() == most || here.bayes < first.bayes - threshold::veryStrong || here.bayes < least ||
+    const GroupEvidence& first = candidateTests.candidateEvidence(result.empty() ? candidate : result.front());
+    if (result.size() == most || here.bayes < first.bayes - threshold::veryStrong || here.bayes < least ||
         (candidateTests.evidence().matters && here.matters() != first.matters())) {
       break;
     }
     if (predictsFurtherPoses(candidateTests, candidate)) {
-      order.push_back(candidate);
+      result.push_back(candidate);
     }
   }
+  return result;
+}
+
+std::optional<StepwiseSelection::Choice> StepwiseSelection::chooseNext(const CandidateTests& candidateTests) {
+  const std::vector<std::size_t> order = shortlistCandidates(candidateTests);
   if (order.empty()) {
     return std::nullopt;
   }

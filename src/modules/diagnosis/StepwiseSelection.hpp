@@ -1,6 +1,7 @@
 #pragma once
 
 #include "diagnosis/Diagnosis.hpp"
+#include "diagnosis/evidence/CrossValidation.hpp"
 #include "diagnosis/views/ImageField.hpp"
 
 #include <map>
@@ -20,6 +21,10 @@ std::vector<CandidateFinding> judgeCandidates(std::vector<CandidateFinding> find
 bool isTransient(const Effect& effect);
 
 /// Forward selection with removal: extends the model effect by effect and records the findings on each candidate.
+///
+/// Searches for one model of named effects to report. Criterion for the next effect: its Bayes factor, scaled by the
+/// decrease of chi2 after refitting, among effects that lower the held-out error. In contrast, `analyseMissingEffects`
+/// searches for a window of likely models to average the calibration's estimates over, without held-out error.
 class StepwiseSelection {
 public:
   StepwiseSelection(const Measurements& measurements, const Model& model, const DiagnosisOptions& options);
@@ -57,6 +62,13 @@ public:
   const std::vector<std::string>& added() const { return added_; }
 
 private:
+  /// Keeps each candidate's strongest evidence.
+  void recordEvidence(const CandidateTests& candidateTests, std::size_t step);
+  /// Appends the step with its held-out errors.
+  void appendStep(const CandidateTests& candidateTests, const std::optional<CrossValidation>& held,
+                  Diagnosis& diagnosis);
+  /// The first few likely candidates that lower the held-out error, likeliest first.
+  std::vector<std::size_t> shortlistCandidates(const CandidateTests& candidateTests) const;
   CandidateFinding& findingOf(const std::string& label);
   CandidateFinding& findingOf(const Term& term) { return findingOf(term.label()); }
   /// Marks two effects as indistinguishable in these captures.

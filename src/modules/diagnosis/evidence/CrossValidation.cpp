@@ -133,17 +133,25 @@ Columns joinColumns(Columns columns, const Columns& more) {
 struct Choices {
   std::vector<Columns> candidates, chosen; // per candidate; per effect selected on all poses
   Columns given;                           // all other columns of the model
+  Columns model;                           // all columns of the model: given, then chosen
+  std::vector<Columns> groups;             // candidates, then chosen
 
-  Choices(const CandidateTests& candidateTests, const Model& model, const std::vector<std::string>& labels) {
+  Choices(const CandidateTests& candidateTests, const Model& full, const std::vector<std::string>& labels) {
     const Eigen::Index own = candidateTests.problem().ownCount();
     for (std::size_t i = 0; i < candidateTests.candidates().size(); ++i) {
       const ColumnGroup& group = candidateTests.problem().groups[i];
       candidates.push_back(range(own + group.first, group.count));
     }
-    for (const Term& term : model.terms()) {
+    for (const Term& term : full.terms()) {
       const Columns columns = range(eigenIndex(term.first), eigenIndex(term.effect.unknowns.size()));
       const bool isChosen = std::find(labels.begin(), labels.end(), term.label()) != labels.end();
       isChosen ? chosen.push_back(columns) : void(given = joinColumns(given, columns));
+    }
+    model = given;
+    groups = candidates;
+    for (const Columns& effect : chosen) {
+      model = joinColumns(model, effect);
+      groups.push_back(effect);
     }
   }
 };
@@ -203,6 +211,35 @@ Folds splitIntoFolds(const CandidateTests& candidateTests, const Eigen::VectorXd
   return result;
 }
 
+/// Adds the fold's squared errors [px^2] to `sums`.
+void addSquares(const Fold& fold, const Choices& choices, const std::vector<std::vector<std::size_t>>& added,
+                CrossValidation& sums) {
+  sums.beforePx += fold.remainingSquares(choices.model);
+  for (std::size_t i = 0; i < added.size(); ++i) {
+    Columns larger = choices.model;
+    for (const std::size_t candidate : added[i]) {
+      larger = joinColumns(larger, choices.candidates[candidate]);
+    }
+    sums.afterPx[i] += fold.remainingSquares(larger);
+  }
+  Columns columns = choices.given;
+  for (std::size_t i = 0; i < choices.chosen.size(); ++i) {
+    fold.addBest(choices.groups, columns);
+  }
+  sums.chosenPx += fold.remainingSquares(columns);
+  fold.addBest(choices.groups, columns);
+  sums.nextPx += fold.remainingSquares(columns);
+}
+
+/// Turns sums of squared errors over so many image coordinates into rms distances.
+void takeRms(double numbers, CrossValidation& sums) {
+  const auto toRms = [&](double& squares) { squares = std::sqrt(2 * std::max(0.0, squares) / numbers); };
+  toRms(sums.beforePx);
+  toRms(sums.chosenPx);
+  toRms(sums.nextPx);
+  std::for_each(sums.afterPx.begin(), sums.afterPx.end(), toRms);
+}
+
 } // namespace
 
 std::optional<CrossValidation> crossValidate(const CandidateTests& candidateTests, const Model& model,
@@ -223,37 +260,13 @@ std::optional<CrossValidation> crossValidate(const CandidateTests& candidateTest
     start(effect).setZero();
   }
   const Folds sums = splitIntoFolds(candidateTests, toNone);
-  std::vector<Columns> groups = choices.candidates;
-  groups.insert(groups.end(), choices.chosen.begin(), choices.chosen.end());
-  Columns asItIs = choices.given;
-  for (const Columns& effect : choices.chosen) {
-    asItIs = joinColumns(asItIs, effect);
-  }
   CrossValidation result;
   result.afterPx.resize(added.size());
   for (const FoldSums& held : sums.parts) {
     const Fold fold{sums.all, held, prior, start, choices.given};
-    result.beforePx += fold.remainingSquares(asItIs);
-    for (std::size_t i = 0; i < added.size(); ++i) {
-      Columns larger = asItIs;
-      for (const std::size_t candidate : added[i]) {
-        larger = joinColumns(larger, choices.candidates[candidate]);
-      }
-      result.afterPx[i] += fold.remainingSquares(larger);
-    }
-    Columns columns = choices.given;
-    for (std::size_t i = 0; i < choices.chosen.size(); ++i) {
-      fold.addBest(groups, columns);
-    }
-    result.chosenPx += fold.remainingSquares(columns);
-    fold.addBest(groups, columns);
-    result.nextPx += fold.remainingSquares(columns);
+    addSquares(fold, choices, added, result);
   }
-  const auto toRms = [&](double& squares) { squares = std::sqrt(2 * std::max(0.0, squares) / sums.all.numbers); };
-  toRms(result.beforePx);
-  toRms(result.chosenPx);
-  toRms(result.nextPx);
-  std::for_each(result.afterPx.begin(), result.afterPx.end(), toRms);
+  takeRms(sums.all.numbers, result);
   return result;
 }
 

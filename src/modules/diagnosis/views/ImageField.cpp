@@ -82,6 +82,53 @@ Eigen::Vector2d cornerPlace(const Measurements& measurements, const MotionFreeRe
   return (observation.errors->predicted.col(corner) - lens.segment<2>(2)) / lens[2];
 }
 
+/// Normal equations of a field's coefficients, without prior, and the squared errors.
+struct FieldEquations {
+  Eigen::MatrixXd gram;
+  Eigen::VectorXd gradient;
+  MeanSquares errors;
+};
+
+/// Estimates the coefficients along the directions that the errors determine.
+FieldFit solveField(const FieldEquations& equations, double plausible) {
+  const MeanSquares& errors = equations.errors;
+  const Eigen::Index count = equations.gradient.size();
+  const SymmetricEigen ways = symmetricEigen(equations.gram);
+  const Eigen::VectorXd along = ways.vectors.transpose() * equations.gradient;
+  // A first guess of the noise selects the determined directions: standard error up to five times `plausible`.
+  const double guessed = std::max(errors.sum / std::max(1.0, errors.freedom), leastNoise * leastNoise);
+  const double leastTold = guessed / std::pow(5 * plausible, 2);
+  double explained = 0, freedom = 0; // over the determined directions
+  for (Eigen::Index i = 0; i < count; ++i) {
+    if (ways.values[i] > leastTold) {
+      explained += along[i] * along[i] / ways.values[i];
+      ++freedom;
+    }
+  }
+  FieldFit result{.estimate = Eigen::VectorXd::Zero(count), .covariance = Eigen::MatrixXd::Zero(count, count)};
+  constexpr double fewest = 10;
+  const double remaining = errors.freedom - freedom;
+  if (freedom < 1 || remaining < fewest) {
+    return result;
+  }
+  result.freedom = freedom;
+  const double noise = std::max((errors.sum - explained) / remaining, leastNoise * leastNoise);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const double told = ways.values[i] / noise;
+    if (ways.values[i] > leastTold) {
+      const double prior = told * plausible * plausible, kept = prior / (1 + prior);
+      const double found = along[i] / ways.values[i];
+      result.estimate += kept * found * ways.vectors.col(i);
+      result.covariance += kept / told * ways.vectors.col(i) * ways.vectors.col(i).transpose();
+      result.bayes += kept * told * found * found - std::log1p(prior);
+    }
+  }
+  result.rmsPx = std::sqrt(std::max(0.0, explained - freedom * noise) / (2 * errors.corners));
+  result.share = errors.sum > 0 ? std::max(0.0, explained - freedom * noise) / errors.sum : 0;
+  result.pValue = fTail(explained / freedom / noise, freedom, remaining);
+  return result;
+}
+
 } // namespace
 
 Eigen::RowVectorXd monomials(const Eigen::Vector2d& at, int most) {
@@ -141,56 +188,21 @@ MotionFreeResiduals::MotionFreeResiduals(const FittedModel& fitted) {
 FieldFit MotionFreeResiduals::fitField(Eigen::Index count, double plausible,
                                        const std::function<bool(const MotionFreeResidual&)>& chosen,
                                        const std::function<Eigen::MatrixXd(const MotionFreeResidual&)>& columns) const {
-  Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(count, count);
-  Eigen::VectorXd gradient = Eigen::VectorXd::Zero(count);
+  FieldEquations equations{Eigen::MatrixXd::Zero(count, count), Eigen::VectorXd::Zero(count), {}};
   std::map<std::size_t, RepeatSums> repeats;
   for (const MotionFreeResidual& observation : observations_) {
     if (chosen(observation)) {
       const Eigen::MatrixXd own = columns(observation), weighted = observation.weights.asDiagonal() * own;
       const Eigen::MatrixXd left = observation.removeMotion(observation.errors->residual.reshaped());
-      gram += observation.share * weighted.transpose() * observation.removeMotion(own);
-      gradient += observation.share * weighted.transpose() * left;
+      equations.gram += observation.share * weighted.transpose() * observation.removeMotion(own);
+      equations.gradient += observation.share * weighted.transpose() * left;
       repeats[observation.repeats].add(observation, left);
     }
   }
-  MeanSquares all;
   for (const auto& [number, sums] : repeats) {
-    all.add(sums);
+    equations.errors.add(sums);
   }
-  const SymmetricEigen ways = symmetricEigen(gram);
-  const Eigen::VectorXd along = ways.vectors.transpose() * gradient;
-  // A first guess of the noise selects the determined directions: standard error up to five times `plausible`.
-  const double guessed = std::max(all.sum / std::max(1.0, all.freedom), leastNoise * leastNoise);
-  const double leastTold = guessed / std::pow(5 * plausible, 2);
-  double explained = 0, freedom = 0; // over the determined directions
-  for (Eigen::Index i = 0; i < count; ++i) {
-    if (ways.values[i] > leastTold) {
-      explained += along[i] * along[i] / ways.values[i];
-      ++freedom;
-    }
-  }
-  FieldFit result{.estimate = Eigen::VectorXd::Zero(count), .covariance = Eigen::MatrixXd::Zero(count, count)};
-  constexpr double fewest = 10;
-  const double remaining = all.freedom - freedom;
-  if (freedom < 1 || remaining < fewest) {
-    return result;
-  }
-  result.freedom = freedom;
-  const double noise = std::max((all.sum - explained) / remaining, leastNoise * leastNoise);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const double told = ways.values[i] / noise;
-    if (ways.values[i] > leastTold) {
-      const double prior = told * plausible * plausible, kept = prior / (1 + prior);
-      const double found = along[i] / ways.values[i];
-      result.estimate += kept * found * ways.vectors.col(i);
-      result.covariance += kept / told * ways.vectors.col(i) * ways.vectors.col(i).transpose();
-      result.bayes += kept * told * found * found - std::log1p(prior);
-    }
-  }
-  result.rmsPx = std::sqrt(std::max(0.0, explained - freedom * noise) / (2 * all.corners));
-  result.share = all.sum > 0 ? std::max(0.0, explained - freedom * noise) / all.sum : 0;
-  result.pValue = fTail(explained / freedom / noise, freedom, remaining);
-  return result;
+  return solveField(equations, plausible);
 }
 
 ImageField fitCornerField(const MotionFreeResiduals& errors, const Measurements& measurements, std::size_t board) {

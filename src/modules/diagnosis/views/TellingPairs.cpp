@@ -16,7 +16,6 @@ namespace naocal {
 namespace {
 
 using Error = TellingPair::Error;
-
 using Over = TellingPair::Over;
 
 /// A value with its pictures. Subtracting t from it lowers the squared errors by 2 slope t - gram t^2 [px^2].
@@ -35,8 +34,6 @@ std::vector<std::size_t> blocksOfPictures(const Measurements& measurements) {
   }
   return result;
 }
-
-using Error = TellingPair::Error;
 
 /// Predicted - measured of every corner with a weight, at joint angles as read.
 std::vector<Value> cornerErrors(const CalibrationResult& fit, const std::vector<std::size_t>& blocks, Error error) {
@@ -83,6 +80,37 @@ std::vector<Value> jointErrors(const SingleJointCorrection& joint, const std::ve
   return result;
 }
 
+/// All errors to be plotted.
+struct PlottableErrors {
+  std::vector<Value> right, down;                   // per corner
+  std::vector<Value> rightByPicture, downByPicture; // means over each picture's corners
+  std::vector<std::vector<Value>> joints;           // per joint
+
+  /// Sum of the squared corner errors [px^2].
+  double squares() const {
+    double result = 0;
+    for (const std::vector<Value>* corners : {&right, &down}) {
+      for (const Value& corner : *corners) {
+        result += corner.weight * corner.y * corner.y;
+      }
+    }
+    return result;
+  }
+};
+
+PlottableErrors collectErrors(const FittedModel& fitted, const std::vector<SingleJointCorrection>& joints) {
+  const std::vector<std::size_t> blocks = blocksOfPictures(fitted.measurements);
+  PlottableErrors result;
+  result.right = cornerErrors(fitted.fit, blocks, Error::right);
+  result.down = cornerErrors(fitted.fit, blocks, Error::down);
+  result.rightByPicture = averageByPicture(result.right, blocks.size());
+  result.downByPicture = averageByPicture(result.down, blocks.size());
+  for (const SingleJointCorrection& joint : joints) {
+    result.joints.push_back(jointErrors(joint, blocks));
+  }
+  return result;
+}
+
 /// A pair under test.
 struct Tried {
   TellingPair pair;
@@ -90,14 +118,37 @@ struct Tried {
   std::vector<double> x; // per value
 };
 
-using Over = TellingPair::Over;
-
 Tried tryPair(TellingPair pair, const std::vector<Value>& values, const std::vector<DriverSeries>& drivers) {
   Tried result{pair, &values, {}};
   for (const Value& value : values) {
     result.x.push_back(pair.over == Over::column ? value.column
                        : pair.over == Over::row  ? value.row
                                                  : drivers[pair.driver].mean(value.pictures));
+  }
+  return result;
+}
+
+/// Every error with everything that may drive it: corners over their position, means over pictures over all drivers,
+/// joints over their own drivers and those of no particular joint. `joints`: as in `errors`.
+std::vector<Tried> tryAllPairs(const PlottableErrors& errors, const std::vector<SingleJointCorrection>& joints,
+                               const std::vector<DriverSeries>& drivers) {
+  std::vector<Tried> result;
+  for (const auto& [error, corners, pictures] : {std::tuple{Error::right, &errors.right, &errors.rightByPicture},
+                                                 std::tuple{Error::down, &errors.down, &errors.downByPicture}}) {
+    for (const Over over : {Over::column, Over::row}) {
+      result.push_back(tryPair({.error = error, .over = over}, *corners, drivers));
+    }
+    for (std::size_t driver = 0; driver < drivers.size(); ++driver) {
+      result.push_back(tryPair({.error = error, .driver = driver}, *pictures, drivers));
+    }
+  }
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    for (std::size_t driver = 0; driver < drivers.size(); ++driver) {
+      const std::size_t motor = joints[i].motor;
+      if (drivers[driver].motor.value_or(motor) == motor) {
+        result.push_back(tryPair({.error = Error::joint, .motor = motor, .driver = driver}, errors.joints[i], drivers));
+      }
+    }
   }
   return result;
 }
@@ -224,46 +275,15 @@ TellingPairs findTellingPairs(const FittedModel& fitted, const std::vector<Drive
   }
   TellingPairs result;
   result.joints = computeJointCorrections(fitted.measurements, *rows, fitted.fit.noise);
-  const std::vector<std::size_t> blocks = blocksOfPictures(fitted.measurements);
-  const std::vector<Value> right = cornerErrors(fitted.fit, blocks, Error::right),
-                           down = cornerErrors(fitted.fit, blocks, Error::down);
-  const std::vector<Value> rightOf = averageByPicture(right, blocks.size()),
-                           downOf = averageByPicture(down, blocks.size());
-  std::vector<std::vector<Value>> joints;
-  double squares = 0;
-  for (const std::vector<Value>* corners : {&right, &down}) {
-    for (const Value& corner : *corners) {
-      squares += corner.weight * corner.y * corner.y;
-    }
-  }
-  for (const SingleJointCorrection& joint : result.joints) {
-    joints.push_back(jointErrors(joint, blocks));
-  }
-
-  std::vector<Tried> all;
-  for (const auto& [error, corners, pictures] :
-       {std::tuple{Error::right, &right, &rightOf}, std::tuple{Error::down, &down, &downOf}}) {
-    for (const Over over : {Over::column, Over::row}) {
-      all.push_back(tryPair({.error = error, .over = over}, *corners, drivers));
-    }
-    for (std::size_t driver = 0; driver < drivers.size(); ++driver) {
-      all.push_back(tryPair({.error = error, .driver = driver}, *pictures, drivers));
-    }
-  }
-  for (std::size_t i = 0; i < joints.size(); ++i) {
-    for (std::size_t driver = 0; driver < drivers.size(); ++driver) {
-      const std::size_t motor = result.joints[i].motor;
-      if (drivers[driver].motor.value_or(motor) == motor) {
-        all.push_back(tryPair({.error = Error::joint, .motor = motor, .driver = driver}, joints[i], drivers));
-      }
-    }
-  }
+  const PlottableErrors errors = collectErrors(fitted, result.joints);
+  const std::vector<Tried> all = tryAllPairs(errors, result.joints, drivers);
   std::vector<Trend> trends;
   for (const Tried& one : all) {
     trends.push_back(trendOf(one));
     result.tried += trends.back().isTestable();
   }
   const std::vector<double> chances = computeFamilyWiseChances(trends, options.draws, options.seed);
+  const double squares = errors.squares();
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (chances[i] <= options.alarm) {
       TellingPair& pair = result.pairs.emplace_back(all[i].pair);

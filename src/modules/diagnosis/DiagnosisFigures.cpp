@@ -1,0 +1,61 @@
+#include "diagnosis/DiagnosisFigures.hpp"
+
+#include "inference/DriverBasis.hpp"
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace naocal {
+
+namespace {
+
+Figures::Left buildResidualViews(const DiagnosedModel& diagnosed) {
+  const FittedModel& fitted = diagnosed.fitted;
+  return {computeJointCorrections(fitted.measurements, diagnosed.candidateTests), computeResidualField(fitted),
+          estimateBoardShapes(fitted)};
+}
+
+std::vector<std::string> labelsOf(const std::vector<CandidateFinding>& ranking) {
+  std::vector<std::string> result;
+  for (const CandidateFinding& finding : ranking) {
+    result.push_back(finding.term.label());
+  }
+  return result;
+}
+
+/// Adds the signatures of the first few candidates that were tested against `given`.
+void addSignatures(const DiagnosedModel& given, std::vector<CandidateFinding>& ranking) {
+  constexpr std::size_t shown = 10;
+  std::vector<std::size_t> candidates;
+  std::vector<CandidateFinding*> findings;
+  for (CandidateFinding& finding : ranking) {
+    const auto candidate = given.candidateTests.findCandidate(finding.term.label());
+    if (candidate && candidates.size() < shown) {
+      candidates.push_back(*candidate);
+      findings.push_back(&finding);
+    }
+  }
+  std::vector<EffectSignature> signatures = computeSignatures(given.fitted, given.candidateTests, candidates);
+  for (std::size_t i = 0; i < signatures.size(); ++i) {
+    findings[i]->imprint = std::move(signatures[i]);
+  }
+}
+
+} // namespace
+
+void assembleFigures(const DiagnosedModel& given, const DiagnosedModel& last, Diagnosis& diagnosis) {
+  constexpr std::size_t compared = 12;
+  const FittedModel& fitted = given.fitted;
+  diagnosis.figures.taken = indexCaptures(fitted.measurements);
+  diagnosis.figures.aliases = computeAliasMatrix(given.candidateTests, labelsOf(diagnosis.ranking), compared);
+  addSignatures(given, diagnosis.ranking);
+  diagnosis.figures.recorded = collectDrivers(fitted.measurements, fitted.model, fitted.fit.unknowns);
+  diagnosis.figures.given = buildResidualViews(given);
+  if (!diagnosis.suggested.empty()) {
+    diagnosis.figures.last = buildResidualViews(last);
+  }
+}
+
+} // namespace naocal

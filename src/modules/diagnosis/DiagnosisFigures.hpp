@@ -1,0 +1,17 @@
+#pragma once
+
+#include "diagnosis/DiagnosisResult.hpp"
+
+namespace naocal {
+
+/// A model, its fit, and its candidate tests.
+struct DiagnosedModel {
+  FittedModel fitted;
+  const CandidateTests& candidateTests;
+};
+
+/// Adds the figures to a finished diagnosis: captures per pose, correlations of the first candidates, their signatures,
+/// and the residuals of both models. `given`: the model as given; `last`: the model with all suggestions.
+void assembleFigures(const DiagnosedModel& given, const DiagnosedModel& last, Diagnosis& diagnosis);
+
+} // namespace naocal
