@@ -274,11 +274,58 @@ OnFloor soleFromBoard(const Measurements& measurements, const ModelState& modelS
 }
 
 using Placements = std::vector<std::optional<OnFloor>>;
+using StanceAndBoard = std::pair<std::size_t, std::size_t>; // indices
+
+/// Placement of each floor board in the frame of each sole that it was seen from. Views without an estimate of the
+/// board's pose count only for pairs that have no other.
+std::map<StanceAndBoard, OnFloor> locateBoards(const Measurements& measurements, const Model& model,
+                                               const Eigen::VectorXd& unknowns) {
+  std::map<StanceAndBoard, std::vector<OnFloor>> observations, glimpses;
+  for (const ImageObservation& picture : measurements.pictures) {
+    const ModelState modelState = predictState(measurements, model, picture, unknowns);
+    for (const BoardObservation& observation : picture.observations) {
+      const std::size_t board = observation.view.board();
+      if (measurements.targets[board].onFloor) {
+        auto& views = estimateBoardPose(observation.corners, modelState.lens()) ? observations : glimpses;
+        views[{picture.stance, board}].push_back(soleFromBoard(measurements, modelState, observation));
+      }
+    }
+  }
+  observations.merge(glimpses); // keeps the observations of a pair
+  std::map<StanceAndBoard, OnFloor> seen;
+  for (const auto& [key, placements] : observations) {
+    seen[key] = medoid(placements);
+  }
+  return seen;
+}
+
+Placements knownStances(const Measurements& measurements) {
+  Placements stances(measurements.stances.size());
+  for (const ImageObservation& picture : measurements.pictures) {
+    if (!measurements.stances[picture.stance].unknown) {
+      const auto ground = picture.nominal.worldFromSupport();
+      stances[picture.stance] = OnFloor{ground[0], ground[1], ground[5]};
+    }
+  }
+  return stances;
+}
+
+/// Placements of the floor boards that were surveyed or have a guess.
+Placements knownBoards(const Measurements& measurements) {
+  Placements boards(measurements.targets.size());
+  for (std::size_t board = 0; !measurements.pictures.empty() && board < boards.size(); ++board) {
+    const Target& target = measurements.targets[board];
+    if (target.onFloor && (!target.unknown || target.board.hasGuess)) {
+      const auto placement = measurements.pictures.back().nominal.boardPlacement(board);
+      boards[board] = OnFloor{placement[0], placement[1], placement[5]};
+    }
+  }
+  return boards;
+}
 
 /// Propagates placements along the observations until all are reached. A connected component without a known placement
 /// is anchored at its first stance.
-void spread(const std::map<std::pair<std::size_t, std::size_t>, OnFloor>& seen, Placements& boards,
-            Placements& stances) {
+void spread(const std::map<StanceAndBoard, OnFloor>& seen, Placements& boards, Placements& stances) {
   for (bool all = false; !all;) {
     bool moved = false;
     for (const auto& [key, soleFromThatBoard] : seen) {
@@ -305,39 +352,8 @@ void spread(const std::map<std::pair<std::size_t, std::size_t>, OnFloor>& seen, 
 
 Eigen::VectorXd initializePlacements(const Measurements& measurements, const Model& model,
                                      const Eigen::VectorXd& unknowns) {
-  std::map<std::pair<std::size_t, std::size_t>, std::vector<OnFloor>> observations,
-      glimpses; // keyed by (stance, board)
-  Placements boards(measurements.targets.size()), stances(measurements.stances.size());
-  std::optional<ModelState> any;
-  for (const ImageObservation& picture : measurements.pictures) {
-    const ModelState modelState = predictState(measurements, model, picture, unknowns);
-    any = picture.nominal;
-    if (!measurements.stances[picture.stance].unknown) {
-      const auto ground = picture.nominal.worldFromSupport();
-      stances[picture.stance] = OnFloor{ground[0], ground[1], ground[5]};
-    }
-    for (const BoardObservation& observation : picture.observations) {
-      if (measurements.targets[observation.view.board()].onFloor) {
-        (estimateBoardPose(observation.corners, modelState.lens())
-             ? observations
-             : glimpses)[{picture.stance, observation.view.board()}]
-            .push_back(soleFromBoard(measurements, modelState, observation));
-      }
-    }
-  }
-  std::map<std::pair<std::size_t, std::size_t>, OnFloor> seen;
-  observations.merge(glimpses); // uses glimpses only for pairs without a good observation
-  for (const auto& [key, placements] : observations) {
-    seen[key] = medoid(placements);
-  }
-  for (std::size_t board = 0; any && board < measurements.targets.size(); ++board) {
-    const Target& target = measurements.targets[board];
-    if (target.onFloor && (!target.unknown || target.board.hasGuess)) {
-      const auto placement = any->boardPlacement(board);
-      boards[board] = OnFloor{placement[0], placement[1], placement[5]};
-    }
-  }
-  spread(seen, boards, stances);
+  Placements boards = knownBoards(measurements), stances = knownStances(measurements);
+  spread(locateBoards(measurements, model, unknowns), boards, stances);
   Eigen::VectorXd result = unknowns;
   for (const Term& term : model.terms()) {
     if (!term.isPlacement) {

@@ -19,55 +19,73 @@ namespace naocal {
 
 namespace {
 
-/// Error with the legs as in one picture [m]; absent if it shows no floor board or the point lies behind the camera.
-std::optional<double> predictErrorIn(const ImageObservation& picture, const FittedModel& fitted) {
-  const auto observation =
+/// First view of a board on the floor; null if there is none.
+const BoardObservation* findFloorBoard(const ImageObservation& picture, const Measurements& measurements) {
+  const auto found =
       std::find_if(picture.observations.begin(), picture.observations.end(),
-                   [&](const BoardObservation& s) { return fitted.measurements.targets[s.view.board()].onFloor; });
-  if (observation == picture.observations.end()) {
-    return std::nullopt;
-  }
+                   [&](const BoardObservation& s) { return measurements.targets[s.view.board()].onFloor; });
+  return found == picture.observations.end() ? nullptr : &*found;
+}
+
+/// State of a picture with the head straight and the board 2 m ahead of the support sole.
+ModelState stateAt2m(const ImageObservation& picture, const ObservationChain& view, const FittedModel& fitted) {
+  const Robot& robot = fitted.measurements.robot;
   ModelState modelState = predictState(fitted.measurements, fitted.model, picture, fitted.fit.unknowns);
-  const std::size_t board = observation->view.board();
   modelState.worldFromSupport().setZero();
-  modelState.boardPlacement(board) << 2, 0, 0, 0, 0, 0;
-  for (std::size_t joint : observation->view.joints()) {
-    const std::size_t link = fitted.measurements.robot.joints[joint].link;
-    const std::size_t head = fitted.measurements.robot.cameras[picture.camera].link;
-    const auto towardsHead = ancestorLinks(fitted.measurements.robot, {head});
-    if (std::find(towardsHead.begin(), towardsHead.end(), link) != towardsHead.end()) {
+  modelState.boardPlacement(view.board()) << 2, 0, 0, 0, 0, 0;
+  const auto towardsHead = ancestorLinks(robot, {robot.cameras[picture.camera].link});
+  for (std::size_t joint : view.joints()) {
+    if (std::find(towardsHead.begin(), towardsHead.end(), robot.joints[joint].link) != towardsHead.end()) {
       modelState.angle(joint) = 0;
     }
   }
-  LinkPoses torsoFromLink;
-  forwardKinematics(fitted.measurements.robot, modelState, observation->view.links(), torsoFromLink);
-  const CameraFrames attitude = observation->view.cameraFrames(fitted.measurements.robot, modelState, torsoFromLink);
+  return modelState;
+}
+
+/// Derivatives of a picture's state apart from lenses, placements and boards.
+std::vector<StateDerivative> physicalDerivatives(const ImageObservation& picture, const FittedModel& fitted) {
+  std::vector<StateDerivative> result =
+      evaluateJacobian(fitted.measurements, fitted.model, picture, fitted.fit.unknowns);
+  std::erase_if(result,
+                [&](const StateDerivative& slope) { return slope.quantity >= fitted.measurements.quantities.lens(); });
+  return result;
+}
+
+/// Shift of a floor point [m], in the floor's axes, per motion (omega, v) of the scene in the optical frame: the ray is
+/// fixed and the floor moves.
+Eigen::Vector2d shiftOnFloor(const CameraFrames& attitude, const Eigen::Matrix<double, 6, 1>& scene) {
   const Eigen::Vector3d point = attitude.opticalFromBoard.translation;
-  if (point.z() < 0.1) {
+  const Eigen::Vector3d normal = attitude.opticalFromWorld.rotation.col(2);
+  const Eigen::Vector3d omega = scene.head<3>();
+  const Eigen::Vector3d motion = omega.cross(point) + scene.tail<3>();
+  const Eigen::Vector3d shift = point * (motion.dot(normal) / point.dot(normal)) - motion;
+  return (attitude.opticalFromWorld.rotation.transpose() * shift).head<2>();
+}
+
+/// Error with the legs as in one picture [m]; absent if it shows no floor board or the point lies behind the camera.
+std::optional<double> predictErrorIn(const ImageObservation& picture, const FittedModel& fitted) {
+  const BoardObservation* const observation = findFloorBoard(picture, fitted.measurements);
+  if (!observation) {
     return std::nullopt;
   }
-  const std::vector<StateDerivative> all =
-      evaluateJacobian(fitted.measurements, fitted.model, picture, fitted.fit.unknowns);
+  const ObservationChain& view = observation->view;
+  const ModelState modelState = stateAt2m(picture, view, fitted);
+  LinkPoses torsoFromLink;
+  forwardKinematics(fitted.measurements.robot, modelState, view.links(), torsoFromLink);
+  const CameraFrames attitude = view.cameraFrames(fitted.measurements.robot, modelState, torsoFromLink);
+  if (attitude.opticalFromBoard.translation.z() < 0.1) {
+    return std::nullopt;
+  }
+  const std::vector<StateDerivative> slopes = physicalDerivatives(picture, fitted);
   std::vector<std::size_t> quantities;
-  std::vector<StateDerivative> physical;
-  for (const StateDerivative& slope : all) {
-    if (slope.quantity < fitted.measurements.quantities.lens()) {
-      physical.push_back(slope);
-      quantities.push_back(slope.quantity);
-    }
+  for (const StateDerivative& slope : slopes) {
+    quantities.push_back(slope.quantity);
   }
   Eigen::MatrixXd columns(6, eigenIndex(quantities.size()));
-  observation->view.fillMotionColumns(fitted.measurements.robot, attitude, modelState, torsoFromLink, quantities, {},
-                                      columns);
-  const Eigen::Vector3d normal = attitude.opticalFromWorld.rotation.col(2);
+  view.fillMotionColumns(fitted.measurements.robot, attitude, modelState, torsoFromLink, quantities, {}, columns);
   Eigen::MatrixXd slip = Eigen::MatrixXd::Zero(2, fitted.fit.unknowns.size());
-  for (std::size_t i = 0; i < physical.size(); ++i) {
-    const Eigen::Vector3d omega = columns.col(eigenIndex(i)).head<3>();
-    const Eigen::Vector3d motion = omega.cross(point) + columns.col(eigenIndex(i)).tail<3>();
-    // the ray is fixed and the floor moves: shift of their intersection, in the floor's axes
-    const Eigen::Vector3d shift = point * (motion.dot(normal) / point.dot(normal)) - motion;
-    slip.col(eigenIndex(physical[i].unknown)) +=
-        physical[i].value * (attitude.opticalFromWorld.rotation.transpose() * shift).head<2>();
+  for (std::size_t i = 0; i < slopes.size(); ++i) {
+    slip.col(eigenIndex(slopes[i].unknown)) += slopes[i].value * shiftOnFloor(attitude, columns.col(eigenIndex(i)));
   }
   return std::sqrt((slip * fitted.fit.covariance * slip.transpose()).trace());
 }
@@ -125,6 +143,88 @@ void measureDistances(const Residuals& residuals, const Fit& fit, CalibrationRes
   result.rmsPx = summary.rmsPx;
   result.medianPx = summary.medianPx;
   result.residuals = residuals.boardResiduals(fit.minimum.state);
+}
+
+/// Requested physical unknowns.
+struct PhysicalUnknowns {
+  std::vector<std::size_t> indices; // into all unknowns
+  std::vector<double> sigmas;       // of the priors
+  std::vector<std::string> names, units, descriptions;
+};
+
+PhysicalUnknowns listPhysicalUnknowns(const Model& model) {
+  PhysicalUnknowns result;
+  const Eigen::VectorXd sigmas = model.sigmas();
+  const std::vector<std::string> names = model.names(), units = model.units();
+  for (const Term& term : model.terms()) {
+    for (std::size_t i = 0; i < term.effect.unknowns.size() && !term.isPlacement && term.requested; ++i) {
+      const std::size_t unknown = term.first + i;
+      result.indices.push_back(unknown);
+      result.sigmas.push_back(sigmas[eigenIndex(unknown)]);
+      result.names.push_back(names[unknown]);
+      result.units.push_back(units[unknown]);
+      result.descriptions.push_back(describeUnknown(term, i));
+    }
+  }
+  return result;
+}
+
+/// Covariance of the physical unknowns in units of their prior sigmas.
+Eigen::MatrixXd relativeCovariance(const PhysicalUnknowns& physical, const Eigen::MatrixXd& covariance) {
+  const std::size_t count = physical.indices.size();
+  Eigen::MatrixXd relative(eigenIndex(count), eigenIndex(count));
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t j = 0; j < count; ++j) {
+      relative(eigenIndex(i), eigenIndex(j)) =
+          covariance(eigenIndex(physical.indices[i]), eigenIndex(physical.indices[j])) /
+          (physical.sigmas[i] * physical.sigmas[j]);
+    }
+  }
+  return relative;
+}
+
+/// Indices of the components of an eigenvector that are large enough to be named.
+std::vector<std::size_t> largeComponents(const Eigen::VectorXd& vector) {
+  constexpr double shared = 0.4; // relative to the largest component; smaller ones are not named
+  const double least = shared * vector.cwiseAbs().maxCoeff();
+  std::vector<std::size_t> result;
+  for (Eigen::Index i = 0; i < vector.size(); ++i) {
+    if (std::abs(vector[i]) >= least) {
+      result.push_back(static_cast<std::size_t>(i));
+    }
+  }
+  return result;
+}
+
+/// Weak direction along an eigenvector of the relative covariance with posterior sigma `sigma` [prior sigmas]; in
+/// radians if all its named unknowns are angles.
+WeakDirection describeDirection(const PhysicalUnknowns& physical, const Eigen::MatrixXd& covariance,
+                                const Eigen::VectorXd& vector, double sigma) {
+  WeakDirection direction{.parts = {}, .sigma = sigma, .unit = "rad", .sentence = {}};
+  const std::vector<std::size_t> large = largeComponents(vector);
+  std::vector<std::string> words;
+  Eigen::VectorXd turn = Eigen::VectorXd::Zero(covariance.rows()); // the direction in radians
+  for (const std::size_t i : large) {
+    const double share = vector[eigenIndex(i)];
+    direction.parts.emplace_back(physical.names[i], share);
+    words.push_back(physical.descriptions[i]);
+    turn[eigenIndex(physical.indices[i])] = share * physical.sigmas[i];
+    if (physical.units[i] != "rad") {
+      direction.unit = "prior sigmas";
+    }
+  }
+  if (direction.unit == "rad") {
+    turn.normalize();
+    direction.sigma = std::sqrt(turn.dot(covariance * turn));
+    for (std::size_t part = 0; part < large.size(); ++part) {
+      direction.parts[part].second = turn[eigenIndex(physical.indices[large[part]])];
+    }
+  }
+  direction.sentence =
+      words.size() == 1
+          ? fmt::format("these captures hardly tell {}", words.front())
+          : fmt::format("{} can be traded against each other: these captures hardly tell them apart", joinWords(words));
+  return direction;
 }
 
 } // namespace
@@ -210,61 +310,16 @@ LinearMinimum solveLinearized(const Residuals::Linear& linear, const Eigen::Vect
 }
 
 std::vector<WeakDirection> findWeakDirections(const Model& model, const CalibrationResult& result) {
-  constexpr double wide = 0.3;   // in prior sigmas; a direction with a larger posterior sigma is weak
-  constexpr double shared = 0.4; // relative to the largest component; smaller ones are not named
-  std::vector<std::size_t> physical;
-  std::vector<std::string> spoken;
-  for (const Term& term : model.terms()) {
-    for (std::size_t i = 0; i < term.effect.unknowns.size() && !term.isPlacement && term.requested; ++i) {
-      physical.push_back(term.first + i);
-      spoken.push_back(describeUnknown(term, i));
-    }
-  }
-  const Eigen::VectorXd sigmas = model.sigmas();
-  Eigen::MatrixXd relative(eigenIndex(physical.size()), eigenIndex(physical.size()));
-  for (std::size_t i = 0; i < physical.size(); ++i) {
-    for (std::size_t j = 0; j < physical.size(); ++j) {
-      relative(eigenIndex(i), eigenIndex(j)) = result.covariance(eigenIndex(physical[i]), eigenIndex(physical[j])) /
-                                               (sigmas[eigenIndex(physical[i])] * sigmas[eigenIndex(physical[j])]);
-    }
-  }
-  const SymmetricEigen eigen = symmetricEigen(relative);
-  const std::vector<std::string> names = model.names();
+  constexpr double wide = 0.3; // in prior sigmas; a direction with a larger posterior sigma is weak
+  const PhysicalUnknowns physical = listPhysicalUnknowns(model);
+  const SymmetricEigen eigen = symmetricEigen(relativeCovariance(physical, result.covariance));
   std::vector<WeakDirection> weak;
-  for (Eigen::Index k = relative.rows() - 1; k >= 0; --k) {
-    WeakDirection direction;
-    direction.sigma = std::sqrt(std::max(0.0, eigen.values[k]));
-    if (direction.sigma < wide) {
+  for (Eigen::Index k = eigen.values.size() - 1; k >= 0; --k) {
+    const double sigma = std::sqrt(std::max(0.0, eigen.values[k]));
+    if (sigma < wide) {
       break;
     }
-    std::vector<std::string> words;
-    Eigen::VectorXd turn = Eigen::VectorXd::Zero(sigmas.size()); // the direction in radians
-    direction.unit = "rad";
-    const double least = shared * eigen.vectors.col(k).cwiseAbs().maxCoeff();
-    for (std::size_t i = 0; i < physical.size(); ++i) {
-      const double share = eigen.vectors(eigenIndex(i), k);
-      if (std::abs(share) >= least) {
-        const std::size_t unknown = physical[i];
-        direction.parts.emplace_back(names[unknown], share);
-        words.push_back(spoken[i]);
-        turn[eigenIndex(unknown)] = share * sigmas[eigenIndex(unknown)];
-        if (model.units()[unknown] != "rad") {
-          direction.unit = "prior sigmas";
-        }
-      }
-    }
-    if (direction.unit == "rad") {
-      turn.normalize();
-      direction.sigma = std::sqrt(turn.dot(result.covariance * turn));
-      for (auto& [name, share] : direction.parts) {
-        share = turn[std::find(names.begin(), names.end(), name) - names.begin()];
-      }
-    }
-    direction.sentence = words.size() == 1
-                             ? fmt::format("these captures hardly tell {}", words.front())
-                             : fmt::format("{} can be traded against each other: these captures hardly tell them apart",
-                                           joinWords(words));
-    weak.push_back(std::move(direction));
+    weak.push_back(describeDirection(physical, result.covariance, eigen.vectors.col(k), sigma));
   }
   return weak;
 }

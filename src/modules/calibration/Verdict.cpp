@@ -57,6 +57,65 @@ std::string formatSizes(const CalibrationResult& result, const Accidents& accide
                      accidents.any() ? rmsWithoutMoved(result) : result.rmsPx, result.noiseFloorPx);
 }
 
+using About = Warning::About;
+
+void warn(About about, std::string sentence, CalibrationResult& result) {
+  result.warnings.push_back({about, std::move(sentence)});
+}
+
+/// Warns of offsets that the captures do not determine; such a result is unusable.
+void checkOffsets(const Model& model, CalibrationResult& result) {
+  for (const Term& term : model.terms()) {
+    const Estimate& estimate = result.estimates[term.first];
+    if (term.effect.name == effectName::jointOffset && term.requested && estimate.learned < 0.5) {
+      result.usable = false;
+      warn(About::offset,
+           fmt::format("{} cannot be learned from these captures ({:.0f} % learned, ±{:.1f}°): "
+                       "add poses that move it, or leave it out "
+                       "with --without {}",
+                       describeUnknown(term, 0), 100 * estimate.learned, degrees(estimate.sigma), term.label()),
+           result);
+    }
+  }
+}
+
+/// Warns of a large floor error; such a result is unusable.
+void checkFloorError(CalibrationResult& result) {
+  constexpr double largest = 0.05; // [m]
+  if (result.floorErrorAt2m > largest) {
+    result.usable = false;
+    warn(About::floor,
+         fmt::format("a floor point 2 m ahead would be seen {:.0f} mm off (1 sigma); at most {:.0f} mm "
+                     "is good enough to play: take more poses or more boards",
+                     1e3 * result.floorErrorAt2m, 1e3 * largest),
+         result);
+  }
+}
+
+void warnOfOutliers(CalibrationResult& result) {
+  std::size_t corners = 0;
+  for (const Outlier& outlier : result.outliers) {
+    corners += outlier.corners.size();
+  }
+  if (corners > 0) {
+    warn(About::fit,
+         fmt::format("{} not fit the rest and got little or no weight: listed under doubtful",
+                     corners == 1 ? std::string{"1 corner does"} : fmt::format("{} corners do", corners)),
+         result);
+  }
+}
+
+/// The most probable cause of the misfit, if something is missing.
+std::string formatCause(const CalibrationResult& result, bool missing) {
+  if (!missing || result.explanations.empty() || result.explanations.front().effects.empty()) {
+    return "no single cause stands out";
+  }
+  const Explanation& likeliest = result.explanations.front();
+  return fmt::format("most probable: {}{}{} (posterior probability {:.0f} % among the models considered)",
+                     fmt::join(likeliest.effects, " and "), likeliest.without.empty() ? "" : " instead of ",
+                     fmt::join(likeliest.without, " and "), 100 * likeliest.weight);
+}
+
 } // namespace
 
 std::string formatVerdict(const CalibrationResult& result, const Accidents& accidents, const std::string& cause,
@@ -80,56 +139,25 @@ std::string formatVerdict(const CalibrationResult& result, const Accidents& acci
 }
 
 void judgeResult(const Measurements& measurements, const Model& model, CalibrationResult& result) {
-  constexpr double largestFloorError = 0.05; // [m]
-  using About = Warning::About;
-  const auto warn = [&](About about, std::string sentence) { result.warnings.push_back({about, std::move(sentence)}); };
   result.weak = findWeakDirections(model, result);
   result.floorErrorAt2m = predictFloorErrorAt2m({measurements, model, result});
   result.usable = result.converged;
   if (!result.converged) {
-    warn(About::fit, "the search did not converge: try --restarts 20, and check the robot's model and the boards");
+    warn(About::fit, "the search did not converge: try --restarts 20, and check the robot's model and the boards",
+         result);
   }
-  for (const Term& term : model.terms()) {
-    const Estimate& estimate = result.estimates[term.first];
-    if (term.effect.name == effectName::jointOffset && term.requested && estimate.learned < 0.5) {
-      result.usable = false;
-      warn(About::offset,
-           fmt::format("{} cannot be learned from these captures ({:.0f} % learned, ±{:.1f}°): "
-                       "add poses that move it, or leave it out "
-                       "with --without {}",
-                       describeUnknown(term, 0), 100 * estimate.learned, degrees(estimate.sigma), term.label()));
-    }
-  }
-  if (result.floorErrorAt2m > largestFloorError) {
-    result.usable = false;
-    warn(About::floor, fmt::format("a floor point 2 m ahead would be seen {:.0f} mm off (1 sigma); at most {:.0f} mm "
-                                   "is good enough to play: take more poses or more boards",
-                                   1e3 * result.floorErrorAt2m, 1e3 * largestFloorError));
-  }
+  checkOffsets(model, result);
+  checkFloorError(result);
   const bool missing = result.pValue <= threshold::alarm && result.matters;
   const Accidents accidents{measurements, result.outliers};
-  std::string cause = "no single cause stands out";
-  if (missing && !result.explanations.empty() && !result.explanations.front().effects.empty()) {
-    const Explanation& likeliest = result.explanations.front();
-    cause = fmt::format("most probable: {}{}{} (posterior probability {:.0f} % among the models considered)",
-                        fmt::join(likeliest.effects, " and "), likeliest.without.empty() ? "" : " instead of ",
-                        fmt::join(likeliest.without, " and "), 100 * likeliest.weight);
-  }
   // reports a missing effect first: it implies that the offsets are uncertain
   const std::string firm =
       result.usable || (missing && result.converged) ? std::string{} : result.warnings.front().sentence;
   result.verdict =
       result.usable ? judgeExplained(model, result, missing || accidents.areMany()) : ResultVerdict::doNotUse;
   result.usable = result.verdict != ResultVerdict::doNotUse;
-  result.sentence = formatVerdict(result, accidents, cause, firm);
-  std::size_t corners = 0;
-  for (const Outlier& outlier : result.outliers) {
-    corners += outlier.corners.size();
-  }
-  if (corners > 0) {
-    warn(About::fit, fmt::format("{} not fit the rest and got little or no weight: listed under doubtful",
-                                 corners == 1 ? std::string{"1 corner does"} : fmt::format("{} corners do", corners)));
-  }
+  result.sentence = formatVerdict(result, accidents, formatCause(result, missing), firm);
+  warnOfOutliers(result);
 }
 
 std::string toString(ResultVerdict verdict) {

@@ -7,6 +7,95 @@
 
 namespace naocal {
 
+namespace {
+
+using Twist = Eigen::Matrix<double, 6, 1>;
+
+inline Twist twistAbout(const Eigen::Vector3d& axisInOptical, const Eigen::Vector3d& pivotInOptical) {
+  Twist twist; // p moves by omega x (p - pivot) = omega x p + pivot x omega
+  twist.head<3>() = axisInOptical;
+  twist.tail<3>() = pivotInOptical.cross(axisInOptical);
+  return twist;
+}
+
+/// Motion of points fixed in a frame placed by (x, y, z, roll, pitch, yaw), per unit of the placement's component
+/// `number`.
+Twist placementMotion(const RigidTransform& opticalFromParent, const Twist& placement, std::size_t number) {
+  Twist twist = Twist::Zero();
+  if (number < 3) {
+    twist.tail<3>() = opticalFromParent.rotation.col(static_cast<Eigen::Index>(number));
+    return twist;
+  }
+  // parentFromFrame = T Rz(yaw) Ry(pitch) Rx(roll)
+  const double pitch = placement[4], yaw = placement[5];
+  const Eigen::Vector3d axis = number == 3   ? rotationZ(yaw) * rotationY(pitch).col(0)
+                               : number == 4 ? Eigen::Vector3d{-std::sin(yaw), std::cos(yaw), 0}
+                                             : Eigen::Vector3d::UnitZ();
+  return twistAbout(opticalFromParent.rotation * axis, opticalFromParent * Eigen::Vector3d{placement.head<3>()});
+}
+
+/// Displacement of four corners in the picture per unit of an extra [px].
+struct CornerShift {
+  Double4 u{}, v{};
+};
+
+/// Shift by an entry of the lens, in the order of `ModelState::lens`.
+CornerShift shiftByLens(std::size_t entry, const Eigen::Matrix<double, 9, 1>& lens, const ProjectedBlock& projected) {
+  const double fx = lens[0], fy = lens[1];
+  const Double4 &x = projected.x, &y = projected.y;
+  const Double4 rr = x * x + y * y;
+  switch (entry) {
+  case 0:
+    return {(projected.u - lens[2]) / fx, {}};
+  case 1:
+    return {{}, (projected.v - lens[3]) / fy};
+  case 2:
+    return {Double4{} + 1, {}};
+  case 3:
+    return {{}, Double4{} + 1};
+  case 4:
+    return {fx * x * rr, fy * y * rr};
+  case 5:
+    return {fx * x * rr * rr, fy * y * rr * rr};
+  case 6:
+    return {fx * 2 * x * y, fy * (rr + 2 * y * y)};
+  case 7:
+    return {fx * (rr + 2 * x * x), fy * 2 * x * y};
+  default:
+    return {fx * x * rr * rr * rr, fy * y * rr * rr * rr};
+  }
+}
+
+/// Shift by the read-out time of a row; `cy`: row of the principal point [px].
+CornerShift shiftByRowTime(const Eigen::Matrix<double, 6, 1>& drift, double cy, const CornerBlock& corners,
+                           const ProjectedBlock& projected) {
+  CornerShift shift;
+  for (Eigen::Index i = 0; i < 6; ++i) {
+    shift.u += drift[i] * projected.rowsU[i];
+    shift.v += drift[i] * projected.rowsV[i];
+  }
+  shift.u *= corners.v - cy;
+  shift.v *= corners.v - cy;
+  return shift;
+}
+
+/// Shift by the scale or the bow of the board.
+CornerShift shiftByBoard(std::size_t extra, const Eigen::Matrix3d& r, const CornerBlock& corners,
+                         const ProjectedBlock& projected) {
+  Double4 mx = corners.x, my = corners.y, mz = corners.z; // motion of the point in the board frame
+  if (extra == boardBowExtra) {
+    mx = my = Double4{};
+    mz = corners.bulge;
+  }
+  const Double4 dx = r(0, 0) * mx + r(0, 1) * my + r(0, 2) * mz;
+  const Double4 dy = r(1, 0) * mx + r(1, 1) * my + r(1, 2) * mz;
+  const Double4 dz = r(2, 0) * mx + r(2, 1) * my + r(2, 2) * mz;
+  return {projected.rowsU[3] * dx + projected.rowsU[4] * dy + projected.rowsU[5] * dz,
+          projected.rowsV[3] * dx + projected.rowsV[4] * dy + projected.rowsV[5] * dz};
+}
+
+} // namespace
+
 ObservationChain::ObservationChain(const Robot& robot, const StateLayout& quantities, std::size_t camera,
                                    std::size_t targetLink, bool onFloor, std::size_t board)
     : ObservationChain{robot, quantities, camera, robot.cameras[camera].link, targetLink, onFloor, board} {}
@@ -114,66 +203,12 @@ bool ObservationChain::project(const CameraFrames& attitude, const ModelState& m
 void ObservationChain::fillExtraRows(std::size_t extra, const CameraFrames& attitude, const ModelState& modelState,
                                      const CornerBlock& corners, const ProjectedBlock& projected, Double4& du,
                                      Double4& dv) {
-  const auto lens = modelState.lens();
-  const double fx = lens[0], fy = lens[1];
-  const Double4 &x = projected.x, &y = projected.y;
-  const Double4 rr = x * x + y * y;
-  du = dv = Double4{};
-  switch (extra) {
-  case 0:
-    du = (projected.u - lens[2]) / fx;
-    return;
-  case 1:
-    dv = (projected.v - lens[3]) / fy;
-    return;
-  case 2:
-    du = Double4{} + 1;
-    return;
-  case 3:
-    dv = Double4{} + 1;
-    return;
-  case 4:
-    du = fx * x * rr;
-    dv = fy * y * rr;
-    return;
-  case 5:
-    du = fx * x * rr * rr;
-    dv = fy * y * rr * rr;
-    return;
-  case 6:
-    du = fx * 2 * x * y;
-    dv = fy * (rr + 2 * y * y);
-    return;
-  case 7:
-    du = fx * (rr + 2 * x * x);
-    dv = fy * 2 * x * y;
-    return;
-  case 8:
-    du = fx * x * rr * rr * rr;
-    dv = fy * y * rr * rr * rr;
-    return;
-  case rowTimeExtra:
-    for (Eigen::Index i = 0; i < 6; ++i) {
-      du += attitude.drift[i] * projected.rowsU[i];
-      dv += attitude.drift[i] * projected.rowsV[i];
-    }
-    du *= corners.v - lens[3];
-    dv *= corners.v - lens[3];
-    return;
-  default:
-    break;
-  }
-  const Eigen::Matrix3d& r = attitude.opticalFromBoard.rotation;
-  Double4 mx = corners.x, my = corners.y, mz = corners.z; // motion of the point in the board frame
-  if (extra == boardBowExtra) {
-    mx = my = Double4{};
-    mz = corners.bulge;
-  }
-  const Double4 dx = r(0, 0) * mx + r(0, 1) * my + r(0, 2) * mz;
-  const Double4 dy = r(1, 0) * mx + r(1, 1) * my + r(1, 2) * mz;
-  const Double4 dz = r(2, 0) * mx + r(2, 1) * my + r(2, 2) * mz;
-  du = projected.rowsU[3] * dx + projected.rowsU[4] * dy + projected.rowsU[5] * dz;
-  dv = projected.rowsV[3] * dx + projected.rowsV[4] * dy + projected.rowsV[5] * dz;
+  const CornerShift shift = extra < lensCount ? shiftByLens(extra, modelState.lens(), projected)
+                            : extra == rowTimeExtra
+                                ? shiftByRowTime(attitude.drift, modelState.lens()[3], corners, projected)
+                                : shiftByBoard(extra, attitude.opticalFromBoard.rotation, corners, projected);
+  du = shift.u;
+  dv = shift.v;
 }
 
 std::optional<std::size_t> ObservationChain::extraIndex(std::size_t quantity) const {
@@ -188,35 +223,6 @@ std::optional<std::size_t> ObservationChain::extraIndex(std::size_t quantity) co
   }
   return quantity == quantities_.rowTime() ? std::optional{rowTimeExtra} : std::nullopt;
 }
-
-namespace {
-
-using Twist = Eigen::Matrix<double, 6, 1>;
-
-inline Twist twistAbout(const Eigen::Vector3d& axisInOptical, const Eigen::Vector3d& pivotInOptical) {
-  Twist twist; // p moves by omega x (p - pivot) = omega x p + pivot x omega
-  twist.head<3>() = axisInOptical;
-  twist.tail<3>() = pivotInOptical.cross(axisInOptical);
-  return twist;
-}
-
-/// Motion of points fixed in a frame placed by (x, y, z, roll, pitch, yaw), per unit of the placement's component
-/// `number`.
-Twist placementMotion(const RigidTransform& opticalFromParent, const Twist& placement, std::size_t number) {
-  Twist twist = Twist::Zero();
-  if (number < 3) {
-    twist.tail<3>() = opticalFromParent.rotation.col(static_cast<Eigen::Index>(number));
-    return twist;
-  }
-  // parentFromFrame = T Rz(yaw) Ry(pitch) Rx(roll)
-  const double pitch = placement[4], yaw = placement[5];
-  const Eigen::Vector3d axis = number == 3   ? rotationZ(yaw) * rotationY(pitch).col(0)
-                               : number == 4 ? Eigen::Vector3d{-std::sin(yaw), std::cos(yaw), 0}
-                                             : Eigen::Vector3d::UnitZ();
-  return twistAbout(opticalFromParent.rotation * axis, opticalFromParent * Eigen::Vector3d{placement.head<3>()});
-}
-
-} // namespace
 
 /// Angles, axes and lengths move what lies beyond the link; a link that carries the camera moves the scene backwards.
 ObservationChain::Twist ObservationChain::linkMotion(const Robot& robot, const CameraFrames& attitude,

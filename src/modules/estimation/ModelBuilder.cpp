@@ -197,6 +197,18 @@ void mark(std::vector<Pattern>& patterns, const Term& term, const Robot& robot,
   }
 }
 
+/// Throws if a pattern names no term that can be estimated. `known`: labels of all candidates.
+void refuseUnused(const std::vector<Pattern>& patterns, const std::vector<std::string>& known) {
+  for (const Pattern& pattern : patterns) {
+    if (!pattern.used && !pattern.undriven.empty()) {
+      throw InputError{pattern.undriven};
+    }
+    if (!pattern.used) {
+      refuse(pattern.given, known);
+    }
+  }
+}
+
 bool looksAtWeight(const Term& term) {
   const auto weighs = [](Driver driver) { return driver == Driver::torque || driver == Driver::com; };
   return std::any_of(term.effect.needs.begin(), term.effect.needs.end(), weighs) ||
@@ -289,6 +301,44 @@ void addPlacementTerms(const Measurements& measurements, Model& model) {
   }
 }
 
+/// Joints whose readings a term needs in a picture; none if the picture cannot show it.
+std::vector<std::size_t> jointsToRead(const Term& term, const Measurements& measurements,
+                                      const ImageObservation& picture) {
+  const Effect& effect = term.effect;
+  const std::vector<std::size_t> places = sitesOn(term, measurements, picture);
+  const bool shares = effect.place == EffectSite::sole && picture.instant.supportFoot == SupportFoot::both;
+  if (picture.observations.empty() || places.empty() || shares) {
+    return {};
+  }
+  std::vector<std::size_t> joints = observedJoints(measurements.robot, picture);
+  if (effect.place == EffectSite::motor || effect.place == EffectSite::joint) {
+    std::erase_if(joints,
+                  [&](std::size_t joint) { return std::find(places.begin(), places.end(), joint) == places.end(); });
+  }
+  return joints;
+}
+
+/// The first driver of an effect at these joints that a picture lacks, in words; null if it has all.
+const char* missingInput(const Effect& effect, const std::vector<std::size_t>& joints, const ImageObservation& picture,
+                         const Measurements& measurements) {
+  const char* lacks = nullptr;
+  const auto look = [&](Driver driver, std::size_t joint) {
+    lacks = lacks ? lacks : missingInput(picture.instant, driver, joint, measurements.robot);
+  };
+  for (const std::size_t joint : joints) {
+    for (const Driver driver : effect.needs) {
+      look(driver, joint);
+    }
+  }
+  for (const RemoteDriver& other : effect.elsewhere) {
+    look(other.driver, other.joint);
+    const bool recorded = std::binary_search(measurements.recordedMotors.begin(), measurements.recordedMotors.end(),
+                                             measurements.robot.joints[other.joint].motor);
+    lacks = other.driver == Driver::angle && !recorded ? "angles of a joint that it looks at" : lacks;
+  }
+  return lacks;
+}
+
 } // namespace
 
 std::vector<std::pair<std::size_t, std::string>> candidateSites(const Effect& effect,
@@ -304,37 +354,13 @@ std::optional<std::string> untestableReason(const Effect& effect, std::size_t at
   std::size_t concerned = 0, without = 0;
   const char* what = nullptr;
   for (const ImageObservation& picture : measurements.pictures) {
-    const std::vector<std::size_t> places = sitesOn(term, measurements, picture);
-    const bool shares = effect.place == EffectSite::sole && picture.instant.supportFoot == SupportFoot::both;
-    if (picture.observations.empty() || places.empty() || shares) {
-      continue;
+    const std::vector<std::size_t> joints = jointsToRead(term, measurements, picture);
+    if (!joints.empty()) {
+      const char* const lacks = missingInput(effect, joints, picture, measurements);
+      ++concerned;
+      without += lacks != nullptr;
+      what = lacks ? lacks : what;
     }
-    const bool ofJoint = effect.place == EffectSite::motor || effect.place == EffectSite::joint;
-    std::vector<std::size_t> looked = observedJoints(measurements.robot, picture);
-    std::erase_if(looked, [&](std::size_t joint) {
-      return ofJoint && std::find(places.begin(), places.end(), joint) == places.end();
-    });
-    if (looked.empty()) {
-      continue;
-    }
-    const char* lacks = nullptr;
-    const auto look = [&](Driver driver, std::size_t joint) {
-      lacks = lacks ? lacks : missingInput(picture.instant, driver, joint, measurements.robot);
-    };
-    for (const std::size_t joint : looked) {
-      for (const Driver driver : effect.needs) {
-        look(driver, joint);
-      }
-    }
-    for (const RemoteDriver& other : effect.elsewhere) {
-      look(other.driver, other.joint);
-      const bool recorded = std::binary_search(measurements.recordedMotors.begin(), measurements.recordedMotors.end(),
-                                               measurements.robot.joints[other.joint].motor);
-      lacks = other.driver == Driver::angle && !recorded ? "angles of a joint that it looks at" : lacks;
-    }
-    ++concerned;
-    without += lacks != nullptr;
-    what = lacks ? lacks : what;
   }
   if (concerned == 0) {
     return effect.place == EffectSite::sole ? "no picture was taken on one foot" : "no picture shows it";
@@ -424,16 +450,8 @@ Model buildModel(const Measurements& measurements, const std::vector<std::string
       }
     }
   }
-  for (const std::vector<Pattern>& list : {added, removed}) {
-    for (const Pattern& pattern : list) {
-      if (!pattern.used && !pattern.undriven.empty()) {
-        throw InputError{pattern.undriven};
-      }
-      if (!pattern.used) {
-        refuse(pattern.given, known);
-      }
-    }
-  }
+  refuseUnused(added, known);
+  refuseUnused(removed, known);
   Model model;
   for (Term& term : chosen) {
     model.add(std::move(term));

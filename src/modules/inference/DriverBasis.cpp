@@ -67,6 +67,66 @@ std::vector<DriverBasis> allShapes(const DriverSeries& driver, std::size_t motor
   return result;
 }
 
+/// Adds the cells that `shapesOf(driver, motor, distinct values)` returns for a motor with these deflections. Returns
+/// the driver values of each added cell.
+template <typename ShapesOf>
+std::vector<std::vector<double>> addCells(std::size_t motor, const std::vector<Bent>& bent, const ShapesOf& shapesOf,
+                                          DriverColumns& columns) {
+  std::vector<std::vector<double>> valuesOf;
+  for (std::size_t driver = 0; driver < columns.drivers.size(); ++driver) {
+    if (columns.drivers[driver].motor.value_or(motor) != motor) {
+      continue;
+    }
+    const std::vector<double> values = valuesAt(bent, columns.drivers[driver]);
+    if (std::any_of(values.begin(), values.end(), [](double x) { return !std::isfinite(x); })) {
+      continue;
+    }
+    const std::set<double> distinct = distinctValues(values);
+    if (distinct.size() < 2) {
+      continue;
+    }
+    for (DriverBasis cell : shapesOf(columns.drivers[driver], motor, distinct)) {
+      cell.motor = motor;
+      cell.driver = driver;
+      cell.least = *distinct.begin();
+      cell.most = *distinct.rbegin();
+      cell.first = columns.count;
+      columns.count += cell.count;
+      columns.cells.push_back(cell);
+      valuesOf.push_back(values);
+    }
+  }
+  return valuesOf;
+}
+
+/// Adds the blocks of the last cells, which belong to one motor with these deflections. `valuesOf`: driver values of
+/// each cell.
+void addBlocks(const std::vector<Bent>& bent, const std::vector<std::vector<double>>& valuesOf,
+               DriverColumns& columns) {
+  if (valuesOf.empty()) {
+    return;
+  }
+  const DriverBasis* const cells = &columns.cells[columns.cells.size() - valuesOf.size()];
+  const Eigen::Index firstColumn = cells->first;
+  std::size_t next = 0;
+  for (std::size_t pose = 0; pose < bent.size(); ++pose) {
+    const std::size_t rows = bent[pose].pictures.size();
+    if (rows == 0) {
+      continue;
+    }
+    DriverColumns::Block block{bent[pose].first, firstColumn,
+                               Eigen::MatrixXd(eigenIndex(rows), columns.count - firstColumn)};
+    for (std::size_t i = 0; i < valuesOf.size(); ++i) {
+      for (std::size_t row = 0; row < rows; ++row) {
+        block.values.row(eigenIndex(row)).segment(cells[i].first - firstColumn, cells[i].count) =
+            cells[i].basisAt(valuesOf[i][next + row]);
+      }
+    }
+    next += rows;
+    columns.blocks[pose].push_back(std::move(block));
+  }
+}
+
 /// Columns of the cells returned by `shapesOf(driver, motor, distinct values)`.
 template <typename ShapesOf>
 DriverColumns buildColumns(const Measurements& measurements, std::vector<DriverSeries> drivers,
@@ -77,50 +137,7 @@ DriverColumns buildColumns(const Measurements& measurements, std::vector<DriverS
     for (std::size_t pose = 0; pose < poses.size(); ++pose) {
       bent.push_back(findBent(motor, measurements.poses[pose], poses[pose]));
     }
-    const Eigen::Index firstColumn = result.count;
-    const std::size_t firstCell = result.cells.size();
-    std::vector<std::vector<double>> valuesOf; // driver values per cell
-    for (std::size_t driver = 0; driver < result.drivers.size(); ++driver) {
-      if (result.drivers[driver].motor.value_or(motor) != motor) {
-        continue;
-      }
-      const std::vector<double> values = valuesAt(bent, result.drivers[driver]);
-      if (std::any_of(values.begin(), values.end(), [](double x) { return !std::isfinite(x); })) {
-        continue;
-      }
-      const std::set<double> distinct = distinctValues(values);
-      if (distinct.size() < 2) {
-        continue;
-      }
-      for (DriverBasis cell : shapesOf(result.drivers[driver], motor, distinct)) {
-        cell.motor = motor;
-        cell.driver = driver;
-        cell.least = *distinct.begin();
-        cell.most = *distinct.rbegin();
-        cell.first = result.count;
-        result.count += cell.count;
-        result.cells.push_back(cell);
-        valuesOf.push_back(values);
-      }
-    }
-    std::size_t next = 0;
-    for (std::size_t pose = 0; pose < poses.size(); ++pose) {
-      const std::size_t rows = bent[pose].pictures.size();
-      if (rows == 0 || result.count == firstColumn) {
-        continue;
-      }
-      DriverColumns::Block block{bent[pose].first, firstColumn,
-                                 Eigen::MatrixXd(eigenIndex(rows), result.count - firstColumn)};
-      for (std::size_t i = 0; i < valuesOf.size(); ++i) {
-        const DriverBasis& cell = result.cells[firstCell + i];
-        for (std::size_t row = 0; row < rows; ++row) {
-          block.values.row(eigenIndex(row)).segment(cell.first - firstColumn, cell.count) =
-              cell.basisAt(valuesOf[i][next + row]);
-        }
-      }
-      next += rows;
-      result.blocks[pose].push_back(std::move(block));
-    }
+    addBlocks(bent, addCells(motor, bent, shapesOf, result), result);
   }
   return result;
 }

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 namespace naocal {
@@ -52,12 +53,20 @@ double groupBayesFactor(const ColumnGroup& group, const Eigen::MatrixXd& informa
   return most + 2 * std::log(mean) - 2 * std::log(static_cast<double>(group.choices));
 }
 
+/// Score tests of a problem and the projected scores of its residuals.
+struct ScoredProblem {
+  const ScoreProblem& problem;
+  const ScoreTest& tests;
+  Eigen::VectorXd scores;
+};
+
 /// Further decrease of chi2 when `added` joins `other`.
-double fallBeside(const ScoreProblem& problem, const ScoreTest& tests, const Eigen::VectorXd& scores,
-                  const ColumnGroup& added, const ColumnGroup& other) {
+double fallBeside(const ScoredProblem& scored, const ColumnGroup& added, const ColumnGroup& other) {
   const auto fall = [&](const std::vector<Eigen::Index>& columns) {
-    const Eigen::VectorXd plausible = problem.plausible(columns), score = plausible.cwiseProduct(scores(columns));
-    Eigen::MatrixXd scaled = plausible.asDiagonal() * tests.information()(columns, columns) * plausible.asDiagonal();
+    const Eigen::VectorXd plausible = scored.problem.plausible(columns),
+                          score = plausible.cwiseProduct(scored.scores(columns));
+    Eigen::MatrixXd scaled =
+        plausible.asDiagonal() * scored.tests.information()(columns, columns) * plausible.asDiagonal();
     scaled.diagonal().array() += 1e-4; // regularises directions that the own unknowns absorb
     return score.dot(scaled.ldlt().solve(score));
   };
@@ -71,8 +80,8 @@ double fallBeside(const ScoreProblem& problem, const ScoreTest& tests, const Eig
 }
 
 /// Estimate and Bayes factor of group `i`.
-GroupEvidence describeGroup(const ScoreProblem& problem, const ScoreTest& tests, std::size_t i,
-                            const Eigen::VectorXd& scores) {
+GroupEvidence describeGroup(const ScoredProblem& scored, std::size_t i) {
+  const auto& [problem, tests, scores] = scored;
   const ColumnGroup& columns = problem.groups[i];
   const Eigen::VectorXd plausible = problem.plausible.segment(columns.first, columns.count);
   Eigen::MatrixXd scaled = plausible.asDiagonal() * tests.informationOf(i) * plausible.asDiagonal();
@@ -90,6 +99,51 @@ GroupEvidence describeGroup(const ScoreProblem& problem, const ScoreTest& tests,
     group.movedPx = tests.movedPx(i, group.estimate);
   }
   return group;
+}
+
+/// Index of the group with the largest Bayes factor among those from `first` on, if any; sets its `movedPx`.
+std::optional<std::size_t> measureLikeliest(const ScoreTest& tests, std::size_t first,
+                                            std::vector<GroupEvidence>& groups) {
+  const auto found = std::max_element(groups.begin() + static_cast<std::ptrdiff_t>(first), groups.end(),
+                                      [](const GroupEvidence& a, const GroupEvidence& b) { return a.bayes < b.bayes; });
+  if (found == groups.end()) {
+    return std::nullopt;
+  }
+  const auto index = static_cast<std::size_t>(found - groups.begin());
+  found->movedPx = tests.movedPx(index, found->estimate);
+  return index;
+}
+
+/// Whether a likely, significant group matters: the likeliest, or a named one beside it. True if no group is likely.
+bool anyMatters(const ScoredProblem& scored, const std::vector<GroupEvidence>& groups, std::size_t likeliest) {
+  const ScoreProblem& problem = scored.problem;
+  if (groups[likeliest].bayes <= 0 || groups[likeliest].matters()) {
+    return true;
+  }
+  for (std::size_t i = 0; i < problem.named && likeliest < problem.named; ++i) {
+    const bool likely = i != likeliest && groups[i].bayes > 2 * std::log(static_cast<double>(problem.named));
+    if (likely && groups[i].matters() &&
+        boundChance(problem, tail(fallBeside(scored, problem.groups[i], problem.groups[likeliest]),
+                                  groups[i].freedom)) <= threshold::alarm) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// `smallestP` of `draws` sets of pure noise, in ascending order: parametric bootstrap.
+std::vector<double> drawSmallestP(const NullModel& alone, const ScoreTest& tests, Eigen::Index draws,
+                                  std::uint64_t seed) {
+  const ScoreProblem& problem = alone.problem();
+  const PoseResiduals noiseOnly = drawResiduals(*problem.poses, alone.noise(), draws, seed);
+  const Eigen::MatrixXd drawn =
+      tests.chi2Decreases(noiseOnly, alone(noiseOnly, Eigen::VectorXd::Zero(problem.ownCount())).own);
+  std::vector<double> smallest;
+  for (Eigen::Index i = 0; i < draws; ++i) {
+    smallest.push_back(smallestP(problem, tests, drawn.col(i)));
+  }
+  std::sort(smallest.begin(), smallest.end());
+  return smallest;
 }
 
 } // namespace
@@ -114,49 +168,23 @@ Evidence computeEvidence(const ScoreProblem& problem, const Noise& noise, Eigen:
   const NullModel alone{problem, noise};
   const ScoreTest tests{alone};
   const Eigen::MatrixXd own = alone(measured, problem.priorScore()).own;
-  const Eigen::VectorXd scores = tests.projectedScores(measured, own).col(0);
+  const ScoredProblem scored{problem, tests, tests.projectedScores(measured, own).col(0)};
   const Eigen::VectorXd ratio = tests.chi2Decreases(measured, own);
   Evidence result;
   for (std::size_t i = 0; i < problem.groups.size(); ++i) {
-    GroupEvidence& group = result.groups.emplace_back(describeGroup(problem, tests, i, scores));
+    GroupEvidence& group = result.groups.emplace_back(describeGroup(scored, i));
     group.likelihoodRatio = ratio[eigenIndex(i)];
     group.pValue = tail(ratio[eigenIndex(i)], tests.degreesOfFreedom(i));
   }
-  const auto likeliestFrom = [&](std::size_t from) {
-    const auto found =
-        std::max_element(result.groups.begin() + static_cast<std::ptrdiff_t>(from), result.groups.end(),
-                         [](const GroupEvidence& a, const GroupEvidence& b) { return a.bayes < b.bayes; });
-    if (found != result.groups.end()) {
-      found->movedPx = tests.movedPx(static_cast<std::size_t>(found - result.groups.begin()), found->estimate);
-    }
-    return found;
-  };
-  likeliestFrom(problem.named); // a curve
-  const auto likeliest = likeliestFrom(0);
-  if (likeliest != result.groups.end()) {
-    result.matters = likeliest->bayes <= 0 || likeliest->matters();
-    const auto first = static_cast<std::size_t>(likeliest - result.groups.begin());
-    for (std::size_t i = 0; i < problem.named && first < problem.named && !result.matters; ++i) {
-      const GroupEvidence& group = result.groups[i]; // tested beside the likeliest one, which is negligible
-      const bool likely = i != first && group.bayes > 2 * std::log(static_cast<double>(problem.named));
-      result.matters =
-          likely && group.matters() &&
-          boundChance(problem, tail(fallBeside(problem, tests, scores, problem.groups[i], problem.groups[first]),
-                                    group.freedom)) <= threshold::alarm;
-    }
+  measureLikeliest(tests, problem.named, result.groups); // a curve
+  if (const auto likeliest = measureLikeliest(tests, 0, result.groups)) {
+    result.matters = anyMatters(scored, result.groups, *likeliest);
   }
   result.information = tests.information();
   if (draws == 0) {
     return result;
   }
-  const PoseResiduals noiseOnly = drawResiduals(*problem.poses, noise, draws, seed);
-  const Eigen::MatrixXd drawn =
-      tests.chi2Decreases(noiseOnly, alone(noiseOnly, Eigen::VectorXd::Zero(problem.ownCount())).own);
-  std::vector<double> smallest;
-  for (Eigen::Index i = 0; i < draws; ++i) {
-    smallest.push_back(smallestP(problem, tests, drawn.col(i)));
-  }
-  std::sort(smallest.begin(), smallest.end());
+  const std::vector<double> smallest = drawSmallestP(alone, tests, draws, seed);
   const double seen = smallestP(problem, tests, ratio);
   const auto as = std::upper_bound(smallest.begin(), smallest.end(), seen) - smallest.begin();
   result.pValue = (1 + static_cast<double>(as)) / (1 + static_cast<double>(draws));

@@ -186,24 +186,28 @@ void addFloorContact(const Measurements& measurements, ImageObservation& picture
   }
 }
 
-/// Sorts the pictures into a canonical order, groups those of one reading and readings of one pose. Fills `poses`,
-/// `joints` and `repeats`.
-void groupByPose(Measurements& measurements) {
-  auto& pictures = measurements.pictures;
+/// Sorts the pictures into a canonical order.
+void sortPictures(Measurements& measurements) {
   const auto key = [&](const ImageObservation& picture) {
     const Capture& capture = measurements.captureOf(picture);
     return std::tuple{picture.set,          capture.pose,   capture.stance, capture.repeat,
                       capture.time.count(), capture.camera, capture.id};
   };
-  std::stable_sort(pictures.begin(), pictures.end(),
+  std::stable_sort(measurements.pictures.begin(), measurements.pictures.end(),
                    [&](const ImageObservation& a, const ImageObservation& b) { return key(a) < key(b); });
+}
+
+/// Groups the pictures of one reading and the readings of one pose. Fills `poses` and `jitter`; returns the rests per
+/// pose.
+std::vector<std::vector<Rest>> groupReadings(Measurements& measurements) {
+  const auto& pictures = measurements.pictures;
   std::map<std::pair<std::size_t, std::string>, std::vector<std::size_t>> poses;
   for (std::size_t i = 0; i < pictures.size(); ++i) {
     if (!pictures[i].observations.empty()) {
       poses[{pictures[i].set, measurements.captureOf(pictures[i]).pose}].push_back(i);
     }
   }
-  std::vector<std::vector<Rest>> rests; // per pose
+  std::vector<std::vector<Rest>> rests;
   Tolerance tolerance = Tolerance::Constant(static_cast<Eigen::Index>(measurements.robot.joints.size()), mostJitter);
   for (int pass = 0; pass < 2; ++pass) { // the first pass only estimates the jitter
     rests.clear();
@@ -216,20 +220,18 @@ void groupByPose(Measurements& measurements) {
     measurements.jitter = jitterOf(collectReadings(rests, measurements), measurements);
     tolerance = toleranceFor(measurements.jitter);
   }
-  placeJoints(rests, collectReadings(rests, measurements), measurements);
-  for (std::size_t pose = 0; pose < rests.size(); ++pose) {
-    const std::vector<EncoderSample>& readings = measurements.poses[pose].readings;
-    measurements.hasRepeats |= readings.size() > 1;
-    addFloorContact(measurements, measurements.pictures[readings.front().pictures.front()]);
-    countRepeats(rests[pose], measurements.poses[pose], measurements.pictures);
-  }
+  return rests;
+}
+
+/// Motors that the observations depend on, in ascending order.
+std::vector<std::size_t> observedMotors(const Measurements& measurements) {
   std::set<std::size_t> motors;
   const auto use = [&](const ObservationChain& view) {
     for (std::size_t joint : view.joints()) {
       motors.insert(measurements.robot.joints[joint].motor);
     }
   };
-  for (const ImageObservation& picture : pictures) {
+  for (const ImageObservation& picture : measurements.pictures) {
     for (const BoardObservation& observation : picture.observations) {
       use(observation.view);
     }
@@ -237,7 +239,21 @@ void groupByPose(Measurements& measurements) {
       use(*picture.otherSole);
     }
   }
-  measurements.joints.assign(motors.begin(), motors.end());
+  return {motors.begin(), motors.end()};
+}
+
+/// Sorts the pictures, groups those of one reading and readings of one pose. Fills `poses`, `joints` and `repeats`.
+void groupByPose(Measurements& measurements) {
+  sortPictures(measurements);
+  const std::vector<std::vector<Rest>> rests = groupReadings(measurements);
+  placeJoints(rests, collectReadings(rests, measurements), measurements);
+  for (std::size_t pose = 0; pose < rests.size(); ++pose) {
+    const std::vector<EncoderSample>& readings = measurements.poses[pose].readings;
+    measurements.hasRepeats |= readings.size() > 1;
+    addFloorContact(measurements, measurements.pictures[readings.front().pictures.front()]);
+    countRepeats(rests[pose], measurements.poses[pose], measurements.pictures);
+  }
+  measurements.joints = observedMotors(measurements);
 }
 
 void refuseOtherRobots(const std::vector<CaptureSet>& sets) {

@@ -84,60 +84,59 @@ std::vector<Moment> moments(const Robot& robot, const LinkPoses& torsoFromLink) 
   return beyond;
 }
 
-} // namespace
+/// Robot in a pose with one link held.
+struct HeldRobot {
+  const Robot& robot;
+  const ModelState& modelState;
+  const LinkPoses& torsoFromLink;
+  Eigen::Vector3d upInTorso;
+  std::vector<char> carriesHeld; // per link: nonzero from the root to the held link
+  std::vector<Moment> beyond;    // per link, as `moments`
+};
 
-GravityLoad gravityLoad(const Robot& robot, const ModelState& modelState, const LinkPoses& torsoFromLink,
-                        std::size_t heldLink, const Eigen::Vector3d& upInTorso, bool withGrowthByAngle) {
-  const std::size_t links = robot.links.size(), joints = robot.joints.size();
-  std::vector<double> mass(links);
-  std::vector<Eigen::Vector3d> first(links, Eigen::Vector3d::Zero()); // sum m p beyond each link, in the torso frame
-  for (std::size_t link = links; link-- > 0;) {                       // parents precede their children
-    mass[link] += robot.links[link].mass;
-    first[link] += robot.links[link].mass * (torsoFromLink[link] * robot.links[link].centreOfMass);
-    if (const auto parent = robot.links[link].parent) {
-      mass[*parent] += mass[link];
-      first[*parent] += first[link];
+/// Axis and moment of `joint`. Its angle rotates all links beyond it; if the held link is among them, all links before
+/// it, backwards.
+Turning turningOf(const HeldRobot& held, std::size_t joint) {
+  const std::size_t link = held.robot.joints[joint].link;
+  const RigidTransform& torsoFromThis = held.torsoFromLink[link];
+  const Eigen::Vector3d axis = torsoFromThis.rotation * held.modelState.axis(joint);
+  const bool backwards = held.carriesHeld[link] != 0;
+  Moment rotated = held.beyond[link];
+  if (backwards) {
+    const Moment& whole = held.beyond.front();
+    rotated = {rotated.mass - whole.mass, rotated.first - whole.first};
+  }
+  const Eigen::Vector3d lever = rotated.first - rotated.mass * torsoFromThis.translation;
+  return {backwards ? Eigen::Vector3d{-axis} : axis, axis.cross(lever)};
+}
+
+GravityLoad zeroLoad(const Robot& robot, bool withGrowthByAngle) {
+  const Eigen::Index joints = eigenIndex(robot.joints.size()), bent = withGrowthByAngle ? joints : 0;
+  return {Eigen::VectorXd::Zero(joints), Eigen::MatrixXd::Zero(joints, joints),
+          Eigen::VectorXd::Zero(joints), Eigen::MatrixXd::Zero(bent, bent),
+          Eigen::Vector3d{0, 0, 0},      Eigen::Matrix3Xd(3, joints)};
+}
+
+/// Adds the second derivatives of -U, and the third if `load` has them, of `joint` with the joints of `way` before it
+/// (`listPath`).
+void addCouplings(const HeldRobot& held, const std::vector<Turning>& turning, const std::vector<std::size_t>& way,
+                  GravityLoad& load) {
+  const std::size_t joint = way.front();
+  for (std::size_t i = 0; i < way.size(); ++i) {
+    const Eigen::Vector3d bend = turning[way[i]].axis.cross(turning[joint].moment);
+    load.torqueByAngle(eigenIndex(way[i]), eigenIndex(joint)) =
+        load.torqueByAngle(eigenIndex(joint), eigenIndex(way[i])) = -gravity * held.upInTorso.dot(bend);
+    for (std::size_t j = i; load.growthByAngle.size() > 0 && j < way.size(); ++j) {
+      addGrowth(held.robot, {joint, way[i], way[j]}, -gravity * held.upInTorso.dot(turning[way[j]].axis.cross(bend)),
+                load);
     }
   }
-  const std::vector<char> carriesHeld = carriers(robot, heldLink);
-  const Eigen::Matrix3d heldFromTorso = torsoFromLink[heldLink].rotation.transpose();
+}
 
-  const Eigen::Index bent = withGrowthByAngle ? eigenIndex(joints) : 0;
-  GravityLoad load{Eigen::VectorXd::Zero(eigenIndex(joints)),
-                   Eigen::MatrixXd::Zero(eigenIndex(joints), eigenIndex(joints)),
-                   Eigen::VectorXd::Zero(eigenIndex(joints)),
-                   Eigen::MatrixXd::Zero(bent, bent),
-                   torsoFromLink[heldLink].inverse() * (first.front() / mass.front()),
-                   Eigen::Matrix3Xd(3, eigenIndex(joints))};
-  std::vector<Turning> turning(joints);
+/// Sets `torqueGrowth` of each motor: a motor rotates all its joints.
+void sumTorqueGrowth(const Robot& robot, GravityLoad& load) {
+  const std::size_t joints = robot.joints.size();
   for (std::size_t joint = 0; joint < joints; ++joint) {
-    const std::size_t link = robot.joints[joint].link;
-    const Eigen::Vector3d axis = torsoFromLink[link].rotation * modelState.axis(joint);
-    const bool backwards = carriesHeld[link] != 0; // rotates the links before the joint, in the opposite direction
-    const double turned = mass[link] - (backwards ? mass.front() : 0);
-    const Eigen::Vector3d lever =
-        first[link] - (backwards ? first.front() : Eigen::Vector3d::Zero()) - turned * torsoFromLink[link].translation;
-    turning[joint] = {backwards ? Eigen::Vector3d{-axis} : axis, axis.cross(lever)};
-    load.comByAngle.col(eigenIndex(joint)) = heldFromTorso * turning[joint].moment / mass.front();
-  }
-  const auto couple = [&](std::size_t nearer, std::size_t beyond) {
-    const double slope = -gravity * upInTorso.dot(turning[nearer].axis.cross(turning[beyond].moment));
-    load.torqueByAngle(eigenIndex(nearer), eigenIndex(beyond)) =
-        load.torqueByAngle(eigenIndex(beyond), eigenIndex(nearer)) = slope;
-  };
-  std::vector<std::size_t> way;
-  for (std::size_t joint = 0; joint < joints; ++joint) {
-    load.torque[eigenIndex(joint)] = -gravity * upInTorso.dot(turning[joint].moment);
-    listPath(robot, joint, heldLink, carriesHeld, way);
-    for (std::size_t i = 0; i < way.size(); ++i) {
-      couple(way[i], joint);
-      for (std::size_t j = i; withGrowthByAngle && j < way.size(); ++j) {
-        const Eigen::Vector3d bend = turning[way[i]].axis.cross(turning[joint].moment);
-        addGrowth(robot, {joint, way[i], way[j]}, -gravity * upInTorso.dot(turning[way[j]].axis.cross(bend)), load);
-      }
-    }
-  }
-  for (std::size_t joint = 0; joint < joints; ++joint) { // a motor rotates all its joints
     for (std::size_t other = 0; other < joints; ++other) {
       if (robot.joints[other].motor == robot.joints[joint].motor) {
         load.torqueGrowth[eigenIndex(robot.joints[joint].motor)] +=
@@ -145,19 +144,48 @@ GravityLoad gravityLoad(const Robot& robot, const ModelState& modelState, const 
       }
     }
   }
-  for (std::size_t joint = 0; joint < joints; ++joint) { // and bears the sum of their torques
-    const std::size_t motor = robot.joints[joint].motor;
+}
+
+/// Gives all joints of a motor the sum of their torques, which it bears.
+void sumTorquesOfMotors(const Robot& robot, GravityLoad& load) {
+  for (std::size_t number = 0; number < robot.joints.size(); ++number) {
+    const Eigen::Index joint = eigenIndex(number), motor = eigenIndex(robot.joints[number].motor);
     if (motor != joint) {
-      load.torque[eigenIndex(motor)] += load.torque[eigenIndex(joint)];
-      load.torqueByAngle.row(eigenIndex(motor)) += load.torqueByAngle.row(eigenIndex(joint));
-      load.torque[eigenIndex(joint)] = load.torque[eigenIndex(motor)];
-      load.torqueByAngle.row(eigenIndex(joint)) = load.torqueByAngle.row(eigenIndex(motor));
-      load.torqueGrowth[eigenIndex(joint)] = load.torqueGrowth[eigenIndex(motor)];
-      if (withGrowthByAngle) {
-        load.growthByAngle.row(eigenIndex(joint)) = load.growthByAngle.row(eigenIndex(motor));
+      load.torque[motor] += load.torque[joint];
+      load.torqueByAngle.row(motor) += load.torqueByAngle.row(joint);
+      load.torque[joint] = load.torque[motor];
+      load.torqueByAngle.row(joint) = load.torqueByAngle.row(motor);
+      load.torqueGrowth[joint] = load.torqueGrowth[motor];
+      if (load.growthByAngle.size() > 0) {
+        load.growthByAngle.row(joint) = load.growthByAngle.row(motor);
       }
     }
   }
+}
+
+} // namespace
+
+GravityLoad gravityLoad(const Robot& robot, const ModelState& modelState, const LinkPoses& torsoFromLink,
+                        std::size_t heldLink, const Eigen::Vector3d& upInTorso, bool withGrowthByAngle) {
+  const HeldRobot held{
+      robot, modelState, torsoFromLink, upInTorso, carriers(robot, heldLink), moments(robot, torsoFromLink)};
+  const Moment& whole = held.beyond.front();
+  const Eigen::Matrix3d heldFromTorso = torsoFromLink[heldLink].rotation.transpose();
+  GravityLoad load = zeroLoad(robot, withGrowthByAngle);
+  load.com = torsoFromLink[heldLink].inverse() * (whole.first / whole.mass);
+  std::vector<Turning> turning(robot.joints.size());
+  for (std::size_t joint = 0; joint < turning.size(); ++joint) {
+    turning[joint] = turningOf(held, joint);
+    load.torque[eigenIndex(joint)] = -gravity * upInTorso.dot(turning[joint].moment);
+    load.comByAngle.col(eigenIndex(joint)) = heldFromTorso * turning[joint].moment / whole.mass;
+  }
+  std::vector<std::size_t> way;
+  for (std::size_t joint = 0; joint < turning.size(); ++joint) {
+    listPath(robot, joint, heldLink, held.carriesHeld, way);
+    addCouplings(held, turning, way, load);
+  }
+  sumTorqueGrowth(robot, load);
+  sumTorquesOfMotors(robot, load);
   return load;
 }
 
@@ -173,23 +201,11 @@ CentreOfMass centreOfMass(const Robot& robot, const LinkPoses& torsoFromLink) {
 
 Eigen::VectorXd gravityTorques(const Robot& robot, const ModelState& modelState, const LinkPoses& torsoFromLink,
                                std::size_t heldLink, const Eigen::Vector3d& upInTorso) {
-  const std::vector<Moment> beyond = moments(robot, torsoFromLink);
-  std::vector<bool> carriesHeld(robot.links.size(), false);
-  for (std::optional<std::size_t> link = heldLink; link; link = robot.links[*link].parent) {
-    carriesHeld[*link] = true;
-  }
+  const HeldRobot held{
+      robot, modelState, torsoFromLink, upInTorso, carriers(robot, heldLink), moments(robot, torsoFromLink)};
   Eigen::VectorXd torques = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(robot.joints.size()));
   for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
-    const std::size_t link = robot.joints[joint].link;
-    const RigidTransform& torsoFromThis = torsoFromLink[link];
-    // The angle rotates all links beyond the joint; if the held link is among them, all links before it, backwards.
-    Moment turning = beyond[link];
-    if (carriesHeld[link]) {
-      turning = {turning.mass - beyond.front().mass, turning.first - beyond.front().first};
-    }
-    const Eigen::Vector3d axis = torsoFromThis.rotation * modelState.axis(joint);
-    const Eigen::Vector3d lever = turning.first - turning.mass * torsoFromThis.translation;
-    const double torque = -gravity * upInTorso.dot(axis.cross(lever));
+    const double torque = -gravity * upInTorso.dot(turningOf(held, joint).moment);
     torques[static_cast<Eigen::Index>(robot.joints[joint].motor)] += torque;
   }
   for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {

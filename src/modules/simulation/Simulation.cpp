@@ -180,6 +180,19 @@ std::map<std::string, TrueUnknown> trueNoiseLevels(const SimulationPlan& plan) {
   return levels;
 }
 
+/// Errors of the planned ranges, with the plan's flaw.
+RobotErrors drawPlannedErrors(const Robot& drawing, const SimulationPlan& plan, std::uint64_t robotSeed) {
+  RandomStream errorChance{robotSeed, "errors"};
+  RobotErrors errors = drawErrors(drawing, plan.offsetRange, plan.mountRange, plan.mountShiftRange, errorChance);
+  if (!plan.flaw.empty()) {
+    errors.flaw = namedFlaw(drawing, plan.flaw).scaledBy(plan.flawScale);
+  } else if (plan.hiddenFlaw && !plan.poses.empty()) {
+    RandomStream flawChance{robotSeed, "flaw"};
+    errors.flaw = drawInjectedEffect(drawing, plan.poses.front().supportFoot, flawChance).scaledBy(plan.flawScale);
+  }
+  return errors;
+}
+
 CaptureSet emptySet(const Robot& drawing, const SimulationPlan& plan, std::uint64_t robotSeed) {
   CaptureSet set;
   set.name = "simulated";
@@ -197,14 +210,8 @@ CaptureSet emptySet(const Robot& drawing, const SimulationPlan& plan, std::uint6
 
 Simulation simulate(const Robot& drawing, const SimulationPlan& plan, std::uint64_t seed) {
   const std::uint64_t robotSeed = plan.robotSeed.value_or(seed);
-  RandomStream errorChance{robotSeed, "errors"}, displacementChance{seed, "displacement"}, noiseChance{seed, "corners"};
-  RobotErrors errors = drawErrors(drawing, plan.offsetRange, plan.mountRange, plan.mountShiftRange, errorChance);
-  if (!plan.flaw.empty()) {
-    errors.flaw = namedFlaw(drawing, plan.flaw).scaledBy(plan.flawScale);
-  } else if (plan.hiddenFlaw && !plan.poses.empty()) {
-    RandomStream flawChance{robotSeed, "flaw"};
-    errors.flaw = drawInjectedEffect(drawing, plan.poses.front().supportFoot, flawChance).scaledBy(plan.flawScale);
-  }
+  RandomStream displacementChance{seed, "displacement"}, noiseChance{seed, "corners"};
+  const RobotErrors errors = drawPlannedErrors(drawing, plan, robotSeed);
   const std::vector<Placement> boards = placeBoards(plan, RandomStream{plan.boardSeed.value_or(seed), "boards"});
   CaptureSequence taken = recordCaptures(SyntheticRobot{drawing, errors, plan.mechanics}, plan, boards, seed);
 
