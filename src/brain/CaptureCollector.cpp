@@ -15,8 +15,7 @@ std::vector<double> listOf(const PerJoint<double>& values) {
   return {values.begin(), values.end()};
 }
 
-} // namespace
-
+/// The capture of an image and the raw measurements at mid-exposure; without pose and corners.
 Capture makeCapture(const CameraFrame& frame, TimePoint middle, const JointSample& moment) {
   Capture capture;
   capture.time = middle.time_since_epoch();
@@ -30,6 +29,8 @@ Capture makeCapture(const CameraFrame& frame, TimePoint middle, const JointSampl
   capture.fsr = moment.forces;
   return capture;
 }
+
+} // namespace
 
 void CaptureCollector::cycle() {
   StillImage& picture = picture_.edit();

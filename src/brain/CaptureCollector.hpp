@@ -41,9 +41,6 @@ private:
   std::deque<CameraFrame> waiting_;
 };
 
-/// The capture of an image and the raw measurements at mid-exposure; without pose and corners.
-Capture makeCapture(const CameraFrame& frame, TimePoint middle, const JointSample& moment);
-
 /// Difference of two images of one camera [grey levels], robust to pixel noise and lamp flicker: the 95 % quantile over
 /// blocks of 16 by 16 pixels of |d - median of d in the block's row|, where d is the difference of the block means.
 /// Infinite for images of different sizes.

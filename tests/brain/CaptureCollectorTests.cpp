@@ -4,6 +4,7 @@
 #include "brain/Projection.hpp"
 #include "framework/configuration/Configuration.hpp"
 #include "framework/core/Database.hpp"
+#include "framework/core/ModuleConfiguration.hpp"
 #include "framework/core/Thread.hpp"
 #include "io/Files.hpp"
 

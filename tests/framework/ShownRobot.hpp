@@ -4,6 +4,7 @@
 #include "framework/ConfiguredRobot.hpp"
 #include "framework/core/Database.hpp"
 #include "framework/core/Module.hpp"
+#include "framework/core/ModuleConfiguration.hpp"
 #include "framework/core/Parameter.hpp"
 #include "framework/core/Thread.hpp"
 #include "framework/network/Sockets.hpp"

@@ -43,7 +43,6 @@ TEST_CASE("a worker ends after all of its tasks or after the present one") {
     worker.enqueue([&order, i] { order.push_back(i); });
   }
   worker.waitUntilIdle();
-  CHECK(worker.pendingCount() == 0);
   CHECK(order == std::vector<int>{0, 1, 2, 3, 4, 5, 6, 7, 8, 9});
 }
 

@@ -6,6 +6,7 @@
 #include "framework/configuration/Configuration.hpp"
 #include "framework/core/Database.hpp"
 #include "framework/core/Module.hpp"
+#include "framework/core/ModuleConfiguration.hpp"
 #include "framework/core/Thread.hpp"
 #include "io/Files.hpp"
 #include "math/Angles.hpp"

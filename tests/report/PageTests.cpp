@@ -131,7 +131,7 @@ TEST_CASE("a page carries its scripts as their files have them") {
   const json imports = json::parse(page.substr(start, page.find("</script>", start) - start))["imports"];
   const std::filesystem::path web = std::filesystem::path{NAOCAL_SOURCE_DIR} / "src/modules/report/web";
   std::size_t scripts = 0;
-  for (const char* folder : {"lib", "plots", "pages"}) {
+  for (const char* folder : {"lib", "plots", "views", "pages"}) {
     for (const auto& file : std::filesystem::directory_iterator{web / folder}) {
       scripts += file.path().extension() == ".js" ? 1 : 0;
     }

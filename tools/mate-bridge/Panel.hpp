@@ -18,6 +18,16 @@ struct PanelOptions {
 };
 
 /// The complete bridge: server, analysis of captures, robots. Runs until `stop`.
+///
+/// Path of a request to a robot, on the thread of `run` (one io_context): `send` in page/core/connection.js,
+/// HttpServer, the handler of its verb in Panel.cpp, Robots, WatchedRobot, RobotClient. On the robot, on the thread of
+/// SocketServers: Connection, then DebugServer (subscriptions) or ConfigServer (values; Configuration posts each to the
+/// Thread of its module, which applies it between cycles).
+///
+/// Path back: a Thread (motion or brain) passes each cycle's values through an Outbox to the thread of SocketServers:
+/// DebugServer (another thread encodes images), Connection; then, on the thread of `run`: RobotClient, WatchedRobot
+/// (selects the panels that subscribe), HttpServer; in the page the listeners of `on` in connection.js. The Worker
+/// threads of LiveDetection, AnalysisWorker and AnalysisSlot post their messages to the thread of `run`.
 class Panel {
 public:
   explicit Panel(PanelOptions options);

@@ -2,6 +2,7 @@
 
 #include "brain/CalibrationInputs.hpp"
 #include "framework/configuration/ConfigurationLayers.hpp"
+#include "framework/core/ModuleConfiguration.hpp"
 #include "io/Files.hpp"
 #include "motion/MotionModules.hpp"
 

@@ -1,5 +1,6 @@
 #include "calibration/Prediction.hpp"
 
+#include "calibration/Fit.hpp"
 #include "calibration/Initialization.hpp"
 #include "estimation/ModelBuilder.hpp"
 #include "estimation/ModelFile.hpp"
@@ -12,6 +13,31 @@
 namespace naocal {
 
 namespace {
+
+/// A result's estimates transferred to unseen captures.
+struct Prediction {
+  Model model; // the result's terms that apply to these captures, and the placements
+  Eigen::VectorXd unknowns;
+  std::vector<bool> free;           // true for floor placements, unless `samePlace`
+  std::vector<std::string> ignored; // terms of the result that do not apply to these captures
+};
+
+/// Minimum cost over the free unknowns, from `start`. Throws InputError if the captures cannot be predicted at all.
+FitMinimum predict(Residuals& residuals, const Prediction& prediction, const Residuals::State& start) {
+  residuals.setFree(prediction.free);
+  auto minimum = levenbergMarquardt(residuals, start);
+  if (!minimum) {
+    throw InputError{
+        "these captures cannot be predicted: a corner that was seen would lie behind the camera; is it the "
+        "robot that the result was made for?"};
+  }
+  return *std::move(minimum);
+}
+
+/// As above, from the prediction's unknowns.
+FitMinimum predict(Residuals& residuals, const Prediction& prediction) {
+  return predict(residuals, prediction, residuals.startState(prediction.unknowns));
+}
 
 /// Residuals with joint angles as read: no deflections are fitted.
 std::vector<BoardResidual> plainResiduals(const Measurements& measurements, const Prediction& prediction) {
@@ -64,6 +90,46 @@ void placeAt(const Term& term, const Eigen::Matrix<double, 6, 1>& start, const P
     const auto& [number, value] = numbers.at(term.effect.unknowns[i].name);
     unknowns[static_cast<Eigen::Index>(term.first + i)] = value - start[number];
   }
+}
+
+/// Takes the unknowns of a model for the new captures from the result.
+Prediction preparePrediction(const Model& model, const StoredResult& result, const Measurements& measurements,
+                             bool samePlace) {
+  const auto count = static_cast<Eigen::Index>(model.unknownCount());
+  Prediction all{model, Eigen::VectorXd::Zero(count), std::vector<bool>(model.unknownCount(), false), {}};
+  const std::vector<std::string> names = model.names();
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const auto value = result.values.find(names[i]);
+    all.unknowns[static_cast<Eigen::Index>(i)] = value == result.values.end() ? 0 : value->second;
+  }
+  all.unknowns = initializePlacements(measurements, model, all.unknowns);
+  for (const Term& term : model.terms()) {
+    if (!term.isPlacement) {
+      continue;
+    }
+    const bool isBoard = term.effect.place == EffectSite::board;
+    const bool onFloor = !isBoard || measurements.targets[term.site].onFloor;
+    const auto& known = isBoard ? result.boards : result.stances;
+    const auto placement = known.find(term.place);
+    if (placement != known.end() && (samePlace || !onFloor)) {
+      const ModelState& drawn = measurements.pictures.front().nominal;
+      const Eigen::Matrix<double, 6, 1> start =
+          isBoard ? Eigen::Matrix<double, 6, 1>{drawn.boardPlacement(term.site)} : Eigen::Matrix<double, 6, 1>::Zero();
+      placeAt(term, start, placement->second, all.unknowns);
+    } else {
+      std::fill_n(all.free.begin() + static_cast<std::ptrdiff_t>(term.first), term.effect.unknowns.size(), onFloor);
+    }
+  }
+  return all;
+}
+
+/// Builds the model too.
+Prediction preparePrediction(const StoredResult& result, const Measurements& measurements, bool samePlace) {
+  std::vector<std::string> ignored;
+  Prediction prediction =
+      preparePrediction(modelFromResult(result, measurements, ignored), result, measurements, samePlace);
+  prediction.ignored = std::move(ignored);
+  return prediction;
 }
 
 } // namespace
@@ -137,59 +203,6 @@ nlohmann::json comparisonJson(const Comparison& comparison) {
   result["byPose"] = many(comparison.byPose);
   result["ignored"] = comparison.ignored;
   return result;
-}
-
-Prediction preparePrediction(const Model& model, const StoredResult& result, const Measurements& measurements,
-                             bool samePlace) {
-  const auto count = static_cast<Eigen::Index>(model.unknownCount());
-  Prediction all{model, Eigen::VectorXd::Zero(count), std::vector<bool>(model.unknownCount(), false), {}};
-  const std::vector<std::string> names = model.names();
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    const auto value = result.values.find(names[i]);
-    all.unknowns[static_cast<Eigen::Index>(i)] = value == result.values.end() ? 0 : value->second;
-  }
-  all.unknowns = initializePlacements(measurements, model, all.unknowns);
-  for (const Term& term : model.terms()) {
-    if (!term.isPlacement) {
-      continue;
-    }
-    const bool isBoard = term.effect.place == EffectSite::board;
-    const bool onFloor = !isBoard || measurements.targets[term.site].onFloor;
-    const auto& known = isBoard ? result.boards : result.stances;
-    const auto placement = known.find(term.place);
-    if (placement != known.end() && (samePlace || !onFloor)) {
-      const ModelState& drawn = measurements.pictures.front().nominal;
-      const Eigen::Matrix<double, 6, 1> start =
-          isBoard ? Eigen::Matrix<double, 6, 1>{drawn.boardPlacement(term.site)} : Eigen::Matrix<double, 6, 1>::Zero();
-      placeAt(term, start, placement->second, all.unknowns);
-    } else {
-      std::fill_n(all.free.begin() + static_cast<std::ptrdiff_t>(term.first), term.effect.unknowns.size(), onFloor);
-    }
-  }
-  return all;
-}
-
-Prediction preparePrediction(const StoredResult& result, const Measurements& measurements, bool samePlace) {
-  std::vector<std::string> ignored;
-  Prediction prediction =
-      preparePrediction(modelFromResult(result, measurements, ignored), result, measurements, samePlace);
-  prediction.ignored = std::move(ignored);
-  return prediction;
-}
-
-FitMinimum predict(Residuals& residuals, const Prediction& prediction, const Residuals::State& start) {
-  residuals.setFree(prediction.free);
-  auto minimum = levenbergMarquardt(residuals, start);
-  if (!minimum) {
-    throw InputError{
-        "these captures cannot be predicted: a corner that was seen would lie behind the camera; is it the "
-        "robot that the result was made for?"};
-  }
-  return *std::move(minimum);
-}
-
-FitMinimum predict(Residuals& residuals, const Prediction& prediction) {
-  return predict(residuals, prediction, residuals.startState(prediction.unknowns));
 }
 
 } // namespace naocal

@@ -1,9 +1,7 @@
 #pragma once
 
-#include "calibration/Fit.hpp"
 #include "calibration/ResultFile.hpp"
 
-#include <Eigen/Core>
 #include <map>
 #include <string>
 #include <vector>
@@ -31,23 +29,5 @@ double weightedError(const StoredResult& result, const std::vector<CaptureSet>& 
 
 /// COMPARISON.json (`naocal-compare`): errors [px] with the result and with the nominal model.
 nlohmann::json comparisonJson(const Comparison& comparison);
-
-/// A result's estimates transferred to unseen captures.
-struct Prediction {
-  Model model; // the result's terms that apply to these captures, and the placements
-  Eigen::VectorXd unknowns;
-  std::vector<bool> free;           // true for floor placements, unless `samePlace`
-  std::vector<std::string> ignored; // terms of the result that do not apply to these captures
-};
-/// Builds the model for the new captures and takes the unknowns from the result.
-Prediction preparePrediction(const StoredResult& result, const Measurements& measurements, bool samePlace);
-/// With an existing model.
-Prediction preparePrediction(const Model& model, const StoredResult& result, const Measurements& measurements,
-                             bool samePlace);
-
-/// Minimum cost over the free unknowns. Throws InputError if the captures cannot be predicted at all.
-FitMinimum predict(Residuals& residuals, const Prediction& prediction);
-/// As above, from `start`.
-FitMinimum predict(Residuals& residuals, const Prediction& prediction, const Residuals::State& start);
 
 } // namespace naocal

@@ -12,6 +12,8 @@ namespace naocal {
 
 namespace {
 
+constexpr Range lengthRange{-1000, 1000, "m"};
+constexpr Range positiveLengthRange{1e-6, 1000, "m"};
 constexpr Range positiveAngleRange{1e-9, 2 * std::numbers::pi, "radians"};
 
 /// Required keys of a placement; a single mark has no orientation.
@@ -90,6 +92,27 @@ void requirePrintable(const CharucoPattern& pattern, const JsonCursor& place) {
   }
 }
 
+/// Reads the ChArUco keys of a board; absent keys keep the defaults of CharucoPattern. Refuses unprintable patterns.
+CharucoPattern readPattern(const JsonCursor& place) {
+  CharucoPattern pattern;
+  const auto read = [&](const char* key, auto& value, auto reading) {
+    if (const auto given = place.find(key)) {
+      value = reading(*given);
+    }
+  };
+  const auto squares = [](const JsonCursor& given) { return given.integer(2, 100); };
+  const auto length = [](const JsonCursor& given) { return given.number(positiveLengthRange); };
+  read("dictionary", pattern.dictionary, [](const JsonCursor& given) { return given.text(); });
+  read("squaresX", pattern.squaresX, squares);
+  read("squaresY", pattern.squaresY, squares);
+  read("squareLength", pattern.squareLength, length);
+  read("markerLength", pattern.markerLength, length);
+  read("firstMarkerId", pattern.firstMarkerId, [](const JsonCursor& given) { return given.integer(0, 100000); });
+  read("legacyPattern", pattern.legacyPattern, [](const JsonCursor& given) { return given.boolean(); });
+  requirePrintable(pattern, place);
+  return pattern;
+}
+
 } // namespace
 
 Placement readFloorPlacement(const JsonCursor& place) {
@@ -121,26 +144,6 @@ Board readBoard(const JsonCursor& place) {
     board.placementSigma = readSigma(*sigma, onFloor);
   }
   return board;
-}
-
-CharucoPattern readPattern(const JsonCursor& place) {
-  CharucoPattern pattern;
-  const auto read = [&](const char* key, auto& value, auto reading) {
-    if (const auto given = place.find(key)) {
-      value = reading(*given);
-    }
-  };
-  const auto squares = [](const JsonCursor& given) { return given.integer(2, 100); };
-  const auto length = [](const JsonCursor& given) { return given.number(positiveLengthRange); };
-  read("dictionary", pattern.dictionary, [](const JsonCursor& given) { return given.text(); });
-  read("squaresX", pattern.squaresX, squares);
-  read("squaresY", pattern.squaresY, squares);
-  read("squareLength", pattern.squareLength, length);
-  read("markerLength", pattern.markerLength, length);
-  read("firstMarkerId", pattern.firstMarkerId, [](const JsonCursor& given) { return given.integer(0, 100000); });
-  read("legacyPattern", pattern.legacyPattern, [](const JsonCursor& given) { return given.boolean(); });
-  requirePrintable(pattern, place);
-  return pattern;
 }
 
 void requireDistinctMarkers(const std::vector<Board>& boards, const JsonCursor& place) {

@@ -9,8 +9,6 @@
 
 namespace naocal {
 
-inline constexpr Range lengthRange{-1000, 1000, "m"};
-inline constexpr Range positiveLengthRange{1e-6, 1000, "m"};
 inline constexpr Range angleRange{-2 * std::numbers::pi, 2 * std::numbers::pi, "radians"};
 
 /// A key of a placement; on the floor only the keys that keep a sheet flat are used.
@@ -33,9 +31,6 @@ Placement readFloorPlacement(const JsonCursor& place);
 
 /// Reads an entry of a capture set's `boards`.
 Board readBoard(const JsonCursor& place);
-
-/// Reads the ChArUco keys of a board; absent keys keep the defaults of CharucoPattern. Refuses unprintable patterns.
-CharucoPattern readPattern(const JsonCursor& board);
 
 /// Refuses markers shared by two boards, since a picture cannot distinguish them.
 void requireDistinctMarkers(const std::vector<Board>& boards, const JsonCursor& place);

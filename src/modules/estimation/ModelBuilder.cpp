@@ -68,6 +68,9 @@ template <typename List> NamedPlaces namePlaces(const std::set<std::size_t>& num
   return result;
 }
 
+/// Sites where an effect can act in these captures, as (index, name): motors and joints between a camera and a target,
+/// lengths on such a path, cameras with observations, observed boards with a printed pattern, soles that were stood on.
+/// A shared board effect also has the site `allSites` ("all") with several boards.
 NamedPlaces candidateSites(const Effect& effect, const Measurements& measurements, const Touched& touched) {
   const Robot& robot = measurements.robot;
   switch (effect.place) {
@@ -340,11 +343,6 @@ const char* missingInput(const Effect& effect, const std::vector<std::size_t>& j
 }
 
 } // namespace
-
-std::vector<std::pair<std::size_t, std::string>> candidateSites(const Effect& effect,
-                                                                const Measurements& measurements) {
-  return candidateSites(effect, measurements, findTouched(measurements));
-}
 
 std::optional<std::string> untestableReason(const Effect& effect, std::size_t at, const Measurements& measurements) {
   if (effect.needs.empty() && effect.elsewhere.empty()) {

@@ -16,11 +16,6 @@ namespace naocal {
 Model buildModel(const Measurements& measurements, const std::vector<std::string>& with = {},
                  const std::vector<std::string>& without = {}, const std::vector<Effect>& effects = allEffects());
 
-/// Sites where an effect can act in these captures, as (index, name): motors and joints between a camera and a target,
-/// lengths on such a path, cameras with observations, observed boards with a printed pattern, soles that were stood on.
-/// A shared board effect also has the site `allSites` ("all") with several boards.
-std::vector<std::pair<std::size_t, std::string>> candidateSites(const Effect& effect, const Measurements& measurements);
-
 /// Reason why these captures cannot drive an effect at a site, such as "no temperatures were recorded"; absent if they
 /// can.
 std::optional<std::string> untestableReason(const Effect& effect, std::size_t at, const Measurements& measurements);

@@ -151,6 +151,64 @@ void findSeen(const Board& target, const CameraFrames& attitude, const Projected
   }
 }
 
+/// Boards: the four A2 boards of simulated sets. Grid: points every 0.25 m up to 4 m away, in tiles of one square metre
+/// with known correspondence; single points of a tile are visible too.
+ThesisScene makeThesisScene(ThesisFeature feature) {
+  ThesisScene result{{}, nominalCameras(640, 480), {}};
+  if (feature == ThesisFeature::grid) {
+    result.targets = floorTiles();
+    result.limits.farthest = 4.5; // [m] from the camera, which is 0.5 m above the floor
+    result.limits.grazing = radians(5);
+    result.limits.corners = 1;
+    return result;
+  }
+  result.targets = defaultBoards();
+  for (Board& board : result.targets) { // relative to the sole
+    board.placement->y -= halfFootDistance;
+  }
+  return result;
+}
+
+/// Measurements of all targets in all poses: one image per camera and sample, containing every corner.
+Measurements observeEverything(const Robot& robot, const ThesisScene& scenery, const ThesisSetting& setting,
+                               const std::vector<ThesisPose>& poses) {
+  CaptureSet set{.name = "thesis", .model = robot.model, .cameras = scenery.cameras, .boards = scenery.targets};
+  set.stances = {{0, SupportFoot::left, Placement{}}, {1, SupportFoot::right, Placement{.y = -footDistance}}};
+  for (Board& board : set.boards) {
+    if (setting.unknownPlaces) {
+      board.placementGuess = *board.placement;
+      board.hasGuess = true;
+      board.placement.reset();
+    }
+  }
+  for (const Joint& joint : robot.joints) {
+    set.jointNames.push_back(joint.name);
+  }
+  std::vector<BoardCorners> all;
+  for (const Board& board : scenery.targets) {
+    BoardCorners& corners = all.emplace_back(BoardCorners{board.id, std::vector<int>(board.points.size()), {}});
+    std::iota(corners.ids.begin(), corners.ids.end(), 0);
+    corners.uv.assign(board.points.size(), Eigen::Vector2d::Zero());
+  }
+  for (std::size_t pose = 0; pose < poses.size(); ++pose) {
+    for (std::size_t sample = 0; sample < setting.samples; ++sample) {
+      for (const auto& [camera, lens] : scenery.cameras) {
+        Capture& capture = set.captures.emplace_back();
+        capture.id = static_cast<int>(set.captures.size());
+        capture.pose = fmt::format("P{:04}", pose);
+        capture.repeat = static_cast<int>(sample);
+        capture.repeatKind = RepeatKind::reapproach; // new reading errors for each sample
+        capture.camera = camera;
+        capture.supportFoot = poses[pose].foot;
+        capture.stance = poses[pose].foot == SupportFoot::left ? 0 : 1;
+        capture.joints.measured.assign(poses[pose].angles.begin(), poses[pose].angles.end());
+        capture.corners = all;
+      }
+    }
+  }
+  return buildMeasurements({set}, robot);
+}
+
 } // namespace
 
 Noise thesisNoise(const ThesisSetting& setting, double pixel) {
@@ -212,61 +270,6 @@ std::vector<Eigen::VectorXd> selectThesisPoses(const Robot& robot, ThesisFeature
     result.push_back(poses[usable[chosen]]);
   }
   return result;
-}
-
-ThesisScene makeThesisScene(ThesisFeature feature) {
-  ThesisScene result{{}, nominalCameras(640, 480), {}};
-  if (feature == ThesisFeature::grid) {
-    result.targets = floorTiles();
-    result.limits.farthest = 4.5; // [m] from the camera, which is 0.5 m above the floor
-    result.limits.grazing = radians(5);
-    result.limits.corners = 1;
-    return result;
-  }
-  result.targets = defaultBoards();
-  for (Board& board : result.targets) { // relative to the sole
-    board.placement->y -= halfFootDistance;
-  }
-  return result;
-}
-
-Measurements observeEverything(const Robot& robot, const ThesisScene& scenery, const ThesisSetting& setting,
-                               const std::vector<ThesisPose>& poses) {
-  CaptureSet set{.name = "thesis", .model = robot.model, .cameras = scenery.cameras, .boards = scenery.targets};
-  set.stances = {{0, SupportFoot::left, Placement{}}, {1, SupportFoot::right, Placement{.y = -footDistance}}};
-  for (Board& board : set.boards) {
-    if (setting.unknownPlaces) {
-      board.placementGuess = *board.placement;
-      board.hasGuess = true;
-      board.placement.reset();
-    }
-  }
-  for (const Joint& joint : robot.joints) {
-    set.jointNames.push_back(joint.name);
-  }
-  std::vector<BoardCorners> all;
-  for (const Board& board : scenery.targets) {
-    BoardCorners& corners = all.emplace_back(BoardCorners{board.id, std::vector<int>(board.points.size()), {}});
-    std::iota(corners.ids.begin(), corners.ids.end(), 0);
-    corners.uv.assign(board.points.size(), Eigen::Vector2d::Zero());
-  }
-  for (std::size_t pose = 0; pose < poses.size(); ++pose) {
-    for (std::size_t sample = 0; sample < setting.samples; ++sample) {
-      for (const auto& [camera, lens] : scenery.cameras) {
-        Capture& capture = set.captures.emplace_back();
-        capture.id = static_cast<int>(set.captures.size());
-        capture.pose = fmt::format("P{:04}", pose);
-        capture.repeat = static_cast<int>(sample);
-        capture.repeatKind = RepeatKind::reapproach; // new reading errors for each sample
-        capture.camera = camera;
-        capture.supportFoot = poses[pose].foot;
-        capture.stance = poses[pose].foot == SupportFoot::left ? 0 : 1;
-        capture.joints.measured.assign(poses[pose].angles.begin(), poses[pose].angles.end());
-        capture.corners = all;
-      }
-    }
-  }
-  return buildMeasurements({set}, robot);
 }
 
 ThesisExperiment::ThesisExperiment(const Robot& robot, const ThesisSetting& setting,

@@ -32,19 +32,11 @@ struct ThesisScene {
   VisibilityLimits limits;
 };
 
-/// Boards: the four A2 boards of simulated sets. Grid: points every 0.25 m up to 4 m away, in tiles of one square metre
-/// with known correspondence; single points of a tile are visible too.
-ThesisScene makeThesisScene(ThesisFeature feature);
-
 /// A pose: support foot and angles per joint [rad].
 struct ThesisPose {
   SupportFoot foot = SupportFoot::left;
   Eigen::VectorXd angles;
 };
-
-/// Measurements of all targets in all poses: one image per camera and sample, containing every corner.
-Measurements observeEverything(const Robot& robot, const ThesisScene& scenery, const ThesisSetting& setting,
-                               const std::vector<ThesisPose>& poses);
 
 /// The poses of a setting: the first ones of `chosen` (selectThesisPoses), for both legs also their mirror images.
 std::vector<ThesisPose> posesForSetting(const ThesisSetting& setting, const Robot& robot,

@@ -22,12 +22,6 @@ public:
     added_.notify_one();
   }
 
-  /// Number of unfinished tasks.
-  std::size_t pendingCount() const {
-    const std::lock_guard lock{mutex_};
-    return tasks_.size();
-  }
-
   /// Blocks until all tasks are finished.
   void waitUntilIdle() {
     std::unique_lock lock{mutex_};
@@ -52,7 +46,7 @@ private:
   }
 
   const AtEnd atEnd_;
-  mutable std::mutex mutex_;
+  std::mutex mutex_;
   std::condition_variable_any added_, finished_;
   std::deque<std::function<void()>> tasks_; // the first one is running
   std::jthread thread_;                     // last member: uses the others

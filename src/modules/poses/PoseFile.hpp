@@ -5,11 +5,10 @@
 #include "poses/PosePlan.hpp"
 #include "robot/Robot.hpp"
 
-#include <array>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace naocal {
@@ -20,12 +19,6 @@ nlohmann::json planJson(const PosePlan& plan, const Robot& robot);
 /// Writes each pose to `<folder>/<id>.pose` in HULKs' format: 26 angles [rad], joints in the drawing's order, each hand
 /// after its wrist.
 void writePoseFiles(const PosePlan& plan, const Robot& robot, const std::filesystem::path& folder);
-
-/// Reads a .pose file: angles per joint of the drawing [rad]. Throws InputError unless it holds 26 angles.
-Eigen::VectorXd readAnglesFile(const std::filesystem::path& file, const Robot& robot);
-
-/// Joints of a NAO that drawings omit: hands. Files list them as 0.
-inline constexpr std::array<std::string_view, 2> fingers{"LHand", "RHand"};
 
 /// A pose read from a file.
 struct PlayablePose {

@@ -91,6 +91,40 @@ void addMirroredPoses(PosePlan& plan, const Robot& robot, const std::map<std::st
   take(plan.sigmaOfRobots, score.perturbedSigmas(images));
 }
 
+/// Computes the tolerance of each board.
+std::vector<BoardTolerance> computeBoardTolerances(const Robot& robot, const PlanInputs& inputs,
+                                                   const PlanOptions& options, const std::vector<ValidPose>& poses) {
+  constexpr double growth = 1.1, farthest = 0.3, mostTurned = std::numbers::pi / 4; // [1], [m], [rad]
+  PlanOptions drawn = options;
+  drawn.perturbedRobots = 0;
+  const auto worst = [&](const std::vector<Board>& laid) { // absent: a pose sees no board
+    const PlanEvaluator score{robot, laid, inputs.cameras, drawn};
+    const std::vector<Eigen::MatrixXd> parts = score.informationParts(poses);
+    const bool blind = std::any_of(parts.begin(), parts.end(), [](const auto& part) { return part.isZero(); });
+    return blind ? std::nullopt : std::optional{score.worstSigma(score.totalInformation(poses))};
+  };
+  const double allowed = growth * worst(inputs.boards).value_or(0);
+  std::vector<BoardTolerance> result(inputs.boards.size());
+  parallelFor(inputs.boards.size(), [&](std::size_t i) {
+    const auto well = [&](double x, double y, double yaw) {
+      std::vector<Board> laid = inputs.boards;
+      laid[i].placement->x += x;
+      laid[i].placement->y += y;
+      laid[i].placement->yaw += yaw;
+      const auto sigma = worst(laid);
+      return sigma && *sigma <= allowed;
+    };
+    result[i].shift = farthest;
+    for (int direction = 0; direction < 8; ++direction) {
+      const double angle = direction * std::numbers::pi / 4;
+      result[i].shift = largest(result[i].shift,
+                                [&](double size) { return well(size * std::cos(angle), size * std::sin(angle), 0); });
+    }
+    result[i].turn = largest(mostTurned, [&](double size) { return well(0, 0, size) && well(0, 0, -size); });
+  });
+  return result;
+}
+
 /// Runs the planning steps on one draft.
 class Planner {
 public:
@@ -181,39 +215,6 @@ private:
 };
 
 } // namespace
-
-std::vector<BoardTolerance> computeBoardTolerances(const Robot& robot, const PlanInputs& inputs,
-                                                   const PlanOptions& options, const std::vector<ValidPose>& poses) {
-  constexpr double growth = 1.1, farthest = 0.3, mostTurned = std::numbers::pi / 4; // [1], [m], [rad]
-  PlanOptions drawn = options;
-  drawn.perturbedRobots = 0;
-  const auto worst = [&](const std::vector<Board>& laid) { // absent: a pose sees no board
-    const PlanEvaluator score{robot, laid, inputs.cameras, drawn};
-    const std::vector<Eigen::MatrixXd> parts = score.informationParts(poses);
-    const bool blind = std::any_of(parts.begin(), parts.end(), [](const auto& part) { return part.isZero(); });
-    return blind ? std::nullopt : std::optional{score.worstSigma(score.totalInformation(poses))};
-  };
-  const double allowed = growth * worst(inputs.boards).value_or(0);
-  std::vector<BoardTolerance> result(inputs.boards.size());
-  parallelFor(inputs.boards.size(), [&](std::size_t i) {
-    const auto well = [&](double x, double y, double yaw) {
-      std::vector<Board> laid = inputs.boards;
-      laid[i].placement->x += x;
-      laid[i].placement->y += y;
-      laid[i].placement->yaw += yaw;
-      const auto sigma = worst(laid);
-      return sigma && *sigma <= allowed;
-    };
-    result[i].shift = farthest;
-    for (int direction = 0; direction < 8; ++direction) {
-      const double angle = direction * std::numbers::pi / 4;
-      result[i].shift = largest(result[i].shift,
-                                [&](double size) { return well(size * std::cos(angle), size * std::sin(angle), 0); });
-    }
-    result[i].turn = largest(mostTurned, [&](double size) { return well(0, 0, size) && well(0, 0, -size); });
-  });
-  return result;
-}
 
 std::vector<CriterionResult> compareCriteria(const Robot& robot, const PlanInputs& inputs, const PlanOptions& options,
                                              const std::vector<ValidPose>& candidates) {

@@ -19,10 +19,6 @@ struct BoardTolerance {
   double turn = 0;  // in both directions [rad], at most 45 degrees
 };
 
-/// Computes the tolerance of each board.
-std::vector<BoardTolerance> computeBoardTolerances(const Robot& robot, const PlanInputs& inputs,
-                                                   const PlanOptions& options, const std::vector<ValidPose>& poses);
-
 /// Quality of a criterion's selection of poses.
 struct CriterionResult {
   Criterion criterion = Criterion::worst;

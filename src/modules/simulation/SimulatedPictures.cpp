@@ -19,8 +19,7 @@ void makeFolder(const std::filesystem::path& folder) {
   }
 }
 
-} // namespace
-
+/// The scene in front of the camera at one capture of a simulation.
 RenderedScene sceneAt(const Simulation& simulation, std::size_t capture) {
   Eigen::Matrix3d opticalFromCamera; // x right, y down, z forward from x forward, y left, z up
   opticalFromCamera << 0, -1, 0, 0, 0, -1, 1, 0, 0;
@@ -35,6 +34,8 @@ RenderedScene sceneAt(const Simulation& simulation, std::size_t capture) {
   }
   return scene;
 }
+
+} // namespace
 
 std::size_t renderPictures(const Simulation& simulation, const Appearance& appearance, std::uint64_t seed,
                            const std::filesystem::path& setFolder, std::size_t threads,

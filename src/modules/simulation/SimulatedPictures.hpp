@@ -8,9 +8,6 @@
 
 namespace naocal {
 
-/// The scene in front of the camera at one capture of a simulation.
-RenderedScene sceneAt(const Simulation& simulation, std::size_t capture);
-
 /// Renders the images of a simulation whose plan has `images`, `threads` at a time, and writes them into the set's
 /// folder under the captures' names. Calls `proceed` with the number done; stops when it returns false. Returns the
 /// number of leading captures with an image. Reproducible by seed. Throws InputError if it cannot write.

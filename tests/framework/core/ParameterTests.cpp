@@ -1,6 +1,6 @@
 #include "framework/ConfiguredRobot.hpp"
 #include "framework/configuration/ConfigurationLayers.hpp"
-#include "framework/core/Database.hpp"
+#include "framework/core/ModuleConfiguration.hpp"
 #include "framework/core/Parameter.hpp"
 #include "framework/core/Thread.hpp"
 

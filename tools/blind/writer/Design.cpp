@@ -15,6 +15,13 @@ namespace {
 const std::array<int, 6> poseCounts{8, 12, 16, 20, 20, 30};
 const std::array<double, 5> sizes{10, 20, 40, 100, 0};
 
+/// Names of all noise regimes.
+const std::vector<std::string>& noiseRegimes() {
+  static const std::vector<std::string> regimes{"clean",         "heavy tails",   "quantised",    "stiction 0.02",
+                                                "stiction 0.05", "stiction 0.10", "picture bias", "foreshortening"};
+  return regimes;
+}
+
 class Designer {
 public:
   Designer(const DesignCounts& counts, std::uint64_t seed) : counts_{counts}, chance_{seed, "design"} {}
@@ -101,13 +108,25 @@ private:
   std::vector<DesignItem> items_;
 };
 
-} // namespace
-
-const std::vector<std::string>& noiseRegimes() {
-  static const std::vector<std::string> regimes{"clean",         "heavy tails",   "quantised",    "stiction 0.02",
-                                                "stiction 0.05", "stiction 0.10", "picture bias", "foreshortening"};
-  return regimes;
+/// The regime of that name; numbers in it are degrees ("stiction 0.05"). Unknown words are ignored.
+NoiseRegime noiseRegime(const std::string& name) {
+  NoiseRegime regime;
+  regime.name = name;
+  regime.heavyTails = name == "heavy tails";
+  regime.foreshortened = name == "foreshortening";
+  regime.pictureBias = name == "picture bias" ? 0.1 : 0;
+  regime.quantised = name == "quantised" || name.starts_with("stiction");
+  if (name.starts_with("stiction")) {
+    regime.stiction = std::stod(name.substr(9)) * radiansPerDegree;
+  }
+  if (name.starts_with("jitter")) { // in whole steps, like real encoders
+    regime.quantised = true;
+    regime.jitter = std::stod(name.substr(7)) * radiansPerDegree;
+  }
+  return regime;
 }
+
+} // namespace
 
 std::vector<DesignItem> drawDesign(const DesignCounts& counts, std::uint64_t seed) {
   return Designer{counts, seed}.items();
@@ -165,23 +184,6 @@ Robot withoutFlaws(Robot robot) {
   none.boards.resize(robot.flaws.boards.size());
   robot.flaws = none;
   return robot;
-}
-
-NoiseRegime noiseRegime(const std::string& name) {
-  NoiseRegime regime;
-  regime.name = name;
-  regime.heavyTails = name == "heavy tails";
-  regime.foreshortened = name == "foreshortening";
-  regime.pictureBias = name == "picture bias" ? 0.1 : 0;
-  regime.quantised = name == "quantised" || name.starts_with("stiction");
-  if (name.starts_with("stiction")) {
-    regime.stiction = std::stod(name.substr(9)) * radiansPerDegree;
-  }
-  if (name.starts_with("jitter")) { // in whole steps, like real encoders
-    regime.quantised = true;
-    regime.jitter = std::stod(name.substr(7)) * radiansPerDegree;
-  }
-  return regime;
 }
 
 } // namespace blind

@@ -33,9 +33,6 @@ struct DesignCounts {
   std::string only;        // a single group; empty: all
 };
 
-/// Names of all noise regimes.
-const std::vector<std::string>& noiseRegimes();
-
 /// All sets of a benchmark in random order: every prefix is a fair sample.
 std::vector<DesignItem> drawDesign(const DesignCounts& counts, std::uint64_t seed);
 
@@ -47,8 +44,5 @@ Robot drawRobot(const Drawing& drawing, std::size_t boards, RandomStream& chance
 
 /// The same robot without flaws; keeps offsets and mounts.
 Robot withoutFlaws(Robot robot);
-
-/// The regime of that name; numbers in it are degrees ("stiction 0.05"). Unknown words are ignored.
-NoiseRegime noiseRegime(const std::string& name);
 
 } // namespace blind

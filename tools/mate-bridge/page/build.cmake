@@ -9,7 +9,7 @@ if(NOT CMAKE_SCRIPT_MODE_FILE)
   endif()
   set(page_web ${CMAKE_SOURCE_DIR}/src/modules/report/web) # what report and panel draw alike, imported as naocal/...
   file(GLOB_RECURSE page_files CONFIGURE_DEPENDS ${page_folder}/*.js ${page_folder}/*.css ${page_folder}/*.html
-    ${page_web}/lib/*.js ${page_web}/lib/*.css ${page_web}/plots/*.js)
+    ${page_web}/lib/*.js ${page_web}/lib/*.css ${page_web}/plots/*.js ${page_web}/views/*.js)
   add_custom_command(
     OUTPUT ${page_output}
     COMMAND ${CMAKE_COMMAND} -DNPM=${NPM} -DOUTPUT=${page_output} -DSOURCE=${page_folder} -DWEB=${page_web} -P ${page_folder}/build.cmake

@@ -9,7 +9,6 @@
 namespace naocal {
 
 class AnyProduction;
-class Configuration;
 class Thread;
 
 /// Modules that cannot be connected, detected before the first cycle; the message names all modules concerned.
@@ -33,10 +32,5 @@ public:
 private:
   std::map<std::string, AnyProduction*, std::less<>> productions_;
 };
-
-/// Mounts `<module>.json` as `<thread>.<module>` for every module of the thread that has parameters, sets each
-/// parameter, and applies later changes between cycles. Returns one sentence per key in a file that no parameter has.
-/// Throws ConfigurationError that names thread, module, key and file for a missing key or a wrong type.
-std::vector<std::string> configureModules(Thread& thread, Configuration& configuration);
 
 } // namespace naocal

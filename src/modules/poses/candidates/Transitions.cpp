@@ -72,6 +72,40 @@ PoseOptions onTheWay(PoseOptions options, const TransitionOptions& motion) {
   return options;
 }
 
+/// Direct motion if safe; otherwise along the line between the poses' points in the sampling ranges, which keeps the
+/// centre of mass above the foot. Absent if neither is safe.
+std::optional<Transition> findTransition(const Robot& robot, const PlanningScene& scene, const PoseOptions& options,
+                                         const TransitionCheck& checks, const ValidPose& from, const ValidPose& to) {
+  const auto joints = static_cast<Eigen::Index>(robot.joints.size());
+  const Eigen::VectorXd start = from.modelState.values.head(joints), end = to.modelState.values.head(joints);
+  if (const auto straight = checks.duration(start, end)) {
+    return Transition{{}, *straight};
+  }
+  PoseSampler attitudes{robot, scene, options};
+  for (const int parts : {2, 4, 8}) {
+    Transition way;
+    Eigen::VectorXd last = start;
+    for (int i = 1; i <= parts; ++i) {
+      std::vector<double> point(from.point.size());
+      for (std::size_t k = 0; k < point.size(); ++k) {
+        point[k] = from.point[k] + (to.point[k] - from.point[k]) * i / parts;
+      }
+      const auto reached = i == parts ? std::optional{to.modelState} : attitudes.stateAt(point);
+      const auto seconds = reached ? checks.duration(last, reached->values.head(joints)) : std::nullopt;
+      if (!seconds) {
+        break;
+      }
+      last = reached->values.head(joints);
+      way.seconds += *seconds;
+      if (i == parts) {
+        return way;
+      }
+      way.via.push_back(last);
+    }
+  }
+  return std::nullopt;
+}
+
 } // namespace
 
 double motionTime(const Robot& robot, const Eigen::VectorXd& from, const Eigen::VectorXd& to, double speed) {
@@ -143,38 +177,6 @@ std::optional<std::vector<std::size_t>> findQuickestOrder(const Ways& seconds) {
   constexpr std::size_t exact = 12;
   const std::vector<std::size_t> order = seconds.size() <= exact ? byDynamicProgramming(seconds) : nearestNext(seconds);
   return order.size() == seconds.size() ? std::optional{order} : std::nullopt;
-}
-
-std::optional<Transition> findTransition(const Robot& robot, const PlanningScene& scene, const PoseOptions& options,
-                                         const TransitionCheck& checks, const ValidPose& from, const ValidPose& to) {
-  const auto joints = static_cast<Eigen::Index>(robot.joints.size());
-  const Eigen::VectorXd start = from.modelState.values.head(joints), end = to.modelState.values.head(joints);
-  if (const auto straight = checks.duration(start, end)) {
-    return Transition{{}, *straight};
-  }
-  PoseSampler attitudes{robot, scene, options};
-  for (const int parts : {2, 4, 8}) {
-    Transition way;
-    Eigen::VectorXd last = start;
-    for (int i = 1; i <= parts; ++i) {
-      std::vector<double> point(from.point.size());
-      for (std::size_t k = 0; k < point.size(); ++k) {
-        point[k] = from.point[k] + (to.point[k] - from.point[k]) * i / parts;
-      }
-      const auto reached = i == parts ? std::optional{to.modelState} : attitudes.stateAt(point);
-      const auto seconds = reached ? checks.duration(last, reached->values.head(joints)) : std::nullopt;
-      if (!seconds) {
-        break;
-      }
-      last = reached->values.head(joints);
-      way.seconds += *seconds;
-      if (i == parts) {
-        return way;
-      }
-      way.via.push_back(last);
-    }
-  }
-  return std::nullopt;
 }
 
 OrderedPoses orderPoses(const Robot& robot, const PlanningScene& scene, const PoseOptions& options,

@@ -55,11 +55,6 @@ struct Transition {
   double seconds = 0;
 };
 
-/// Direct motion if safe; otherwise along the line between the poses' points in the sampling ranges, which keeps the
-/// centre of mass above the foot. Absent if neither is safe.
-std::optional<Transition> findTransition(const Robot& robot, const PlanningScene& scene, const PoseOptions& options,
-                                         const TransitionCheck& checks, const ValidPose& from, const ValidPose& to);
-
 /// Poses in the quickest safe order, and the way to each from the previous one; absent: first pose, or no safe way.
 struct OrderedPoses {
   std::vector<ValidPose> poses;

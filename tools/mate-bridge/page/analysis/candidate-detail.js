@@ -1,7 +1,7 @@
 // The selected candidate: its effect, the verdict, and every view of one candidate.
 import {button, element} from "naocal/lib/dom.js";
 import {chance, detectableWords, percent, short, sizeWords, stateName, stateWords, withUnit} from "naocal/lib/format.js";
-import {views} from "naocal/plots/views.js";
+import {views} from "naocal/views/views.js";
 import {act, state} from "../core/state.js";
 
 export function candidateDetail(candidate, questions) {

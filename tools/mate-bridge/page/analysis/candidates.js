@@ -2,7 +2,7 @@
 import {button, csv, download, element, empty} from "naocal/lib/dom.js";
 import {short, sizeWords, waitingWords} from "naocal/lib/format.js";
 import {brokenLabel, candidateTable, columns, ofState, stateButtons, stateChip} from "naocal/plots/candidate-table.js";
-import {views} from "naocal/plots/views.js";
+import {views} from "naocal/views/views.js";
 import {candidateDetail} from "./candidate-detail.js";
 import {act, state} from "../core/state.js";
 

@@ -1,7 +1,7 @@
 // Map view: all views of the remaining misfit.
 import {button, element, empty} from "naocal/lib/dom.js";
 import {waitingWords} from "naocal/lib/format.js";
-import {views} from "naocal/plots/views.js";
+import {views} from "naocal/views/views.js";
 import {state} from "../core/state.js";
 import {draftFrom} from "./user-effect.js";
 

@@ -30,7 +30,7 @@ function applyText(text, x, y, action) {
 }
 
 // PNG and SVG buttons; `canvasOf` returns the canvas, `sizeOf` the size of the SVG.
-export function saveButtons(label, draw, canvasOf, sizeOf) {
+function saveButtons(label, draw, canvasOf, sizeOf) {
   const name = fileName(label);
   return [button("PNG", () => canvasOf().toBlob(blob => download(name + ".png", blob)), {class: "small", "aria-label": "save as PNG: " + label}),
     button("SVG", () => {

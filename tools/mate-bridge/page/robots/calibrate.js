@@ -194,7 +194,7 @@ on("stand", message => {
 });
 
 // Consecutive poses of equal name are one pose approached from several sides.
-export function upcomingPoses({round, poses}) {
+function upcomingPoses({round, poses}) {
   waiting.clear();
   const groups = [];
   poses.forEach(({name, angles}, i) => {
@@ -211,7 +211,7 @@ export function upcomingPoses({round, poses}) {
     }))];
 }
 
-export function markStep(part, step) {
+function markStep(part, step) {
   for (const item of part.querySelectorAll("li")) {
     const first = Number(item.dataset.first), count = Number(item.dataset.count);
     const state = step >= first + count ? "taken" : step >= first ? "now" : "to-come", words = state.replace("-", " ") + (count > 1 ? ", from " + count + " sides" : "");

@@ -12,7 +12,7 @@ export function capturesOf(robot) {
     url: places.includes(i) ? "taken/" + encodeURIComponent(robot + "/" + series + "/" + i) : null}));
 }
 
-export const worth = ({corners, boards}) => corners === null ? "searching for boards"
+const worth = ({corners, boards}) => corners === null ? "searching for boards"
   : corners < fewCorners ? "no board seen" : corners + " corners on " + (boards.length === 1 ? "board " : "boards ") + boards.join(", ");
 
 // One thumbnail per pose and camera: the last picture, and the corner count of each.

@@ -1,7 +1,7 @@
 // Entry point of the diagnosis page.
 import {at, copyBox, element} from "naocal/lib/dom.js";
 import {errorLadder} from "naocal/plots/error-ladder.js";
-import {views} from "naocal/plots/views.js";
+import {views} from "naocal/views/views.js";
 import {showCandidates, untested} from "naocal/pages/candidates.js";
 import {readData, showHead} from "naocal/pages/head.js";
 

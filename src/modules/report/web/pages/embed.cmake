@@ -1,7 +1,7 @@
 # Puts the pages' files into the program: included by CMake it adds the step, run by the build it writes the source.
-# Scripts stay ES modules, letter by letter: a page carries all of web/lib, web/plots and web/pages in an import map, as
-# data: addresses under the names by which they import each other ("naocal/lib/figure.js"). This needs neither npm nor a
-# network, and a page opens from a file. The panel's build gives the same names to esbuild.
+# Scripts stay ES modules, letter by letter: a page carries all of web/lib, web/plots, web/views and web/pages in an import
+# map, as data: addresses under the names by which they import each other ("naocal/lib/figure.js"). This needs neither npm
+# nor a network, and a page opens from a file. The panel's build gives the same names to esbuild.
 set(web ${CMAKE_CURRENT_LIST_DIR}/..)
 set(style lib/palette.css lib/views.css pages/style.css)
 set(result_style ${style})
@@ -32,7 +32,7 @@ if(CMAKE_SCRIPT_MODE_FILE)
   set(source "#include \"report/PageFiles.hpp\"\n\nnamespace naocal::pageFiles {\n\n")
   read_literal(text pages/frame.html)
   string(APPEND source "const std::string_view frame =${text};\n\nnamespace {\nconst std::string_view list[] = {")
-  file(GLOB files RELATIVE ${web} ${web}/lib/*.js ${web}/plots/*.js ${web}/pages/*.js)
+  file(GLOB files RELATIVE ${web} ${web}/lib/*.js ${web}/plots/*.js ${web}/views/*.js ${web}/pages/*.js)
   foreach(file IN LISTS files)
     read_module(text ${file})
     string(APPEND source "${text},")
@@ -52,7 +52,7 @@ if(CMAKE_SCRIPT_MODE_FILE)
 endif()
 
 set(output ${CMAKE_CURRENT_BINARY_DIR}/report/PageFiles.cpp)
-file(GLOB files CONFIGURE_DEPENDS ${web}/lib/*.js ${web}/lib/*.css ${web}/plots/*.js ${web}/pages/*.js ${web}/pages/*.html ${web}/pages/*.css)
+file(GLOB files CONFIGURE_DEPENDS ${web}/lib/*.js ${web}/lib/*.css ${web}/plots/*.js ${web}/views/*.js ${web}/pages/*.js ${web}/pages/*.html ${web}/pages/*.css)
 add_custom_command(
   OUTPUT ${output}
   COMMAND ${CMAKE_COMMAND} -DOUTPUT=${output} -P ${CMAKE_CURRENT_LIST_DIR}/embed.cmake

@@ -7,7 +7,7 @@ import {boardViews, captureTimes, cornersOf, meanErrorOf, pictureNames} from "na
 import {doubtfulBelow} from "naocal/plots/corners.js";
 import {errorGroups} from "naocal/plots/error-groups.js";
 import {estimates, titleOf} from "naocal/plots/estimates.js";
-import {residualField} from "naocal/plots/residual-field.js";
+import {residualField} from "naocal/views/residual-field.js";
 import {residualScatter} from "naocal/plots/residual-scatter.js";
 import {readData, showHead} from "naocal/pages/head.js";
 import {showPictures} from "naocal/pages/pictures.js";

@@ -52,7 +52,7 @@ export const remarks = ({state, why, equivalent, plausible}) => [why,
   !plausible && state !== "no-data" ? "larger than plausible" : ""].filter(Boolean).join("; ");
 
 /** Tooltip with all numbers of a candidate. @param {Candidate} candidate */
-export function candidateTip(candidate) {
+function candidateTip(candidate) {
   const {label, sizes, power, kept, evidence, pValue, predictedDrop, realDrop, before, after, step} = candidate;
   if (!isTested(candidate)) return label + "\n" + stateTip(said(candidate));
   return [label, stateTip(said(candidate)), "evidence " + (evidence === null ? "–" : tenths(evidence)) + ", alone " + chance(pValue || 0) +

@@ -6,7 +6,7 @@ import {fitting} from "naocal/lib/axes.js";
 /** @import {Aliases, Target, View} from "naocal/lib/types.js" */
 
 /** @param {Aliases} aliases */
-export function aliasMatrix(aliases) {
+function aliasMatrix(aliases) {
   const order = classesTogether(aliases), top = 42; // space for the column numbers and the buttons above [px]
   const highOf = (/** @type {number} */ width) => Math.max(15, Math.min(30, (width - nameWidth(width)) / order.length));
   return figure({height: width => top + order.length * highOf(width), label: "correlation of the first candidates",

@@ -15,7 +15,7 @@ const shortNames = new Map([["t", "time"], ["T", "temperature"], ["qd", "speed"]
 const shortName = name => shortNames.get(name) ?? name.replace("tau_", "torque ");
 
 /** Heat map; the colour's strength is the evidence for a curve. @param {MapCell[]} cells */
-export function driverMap(cells) {
+function driverMap(cells) {
   const joints = jointsOf(cells), best = bestOf(cells), most = Math.max(6, best.evidence); // evidence below 6 never gets the full colour
   const rank = (/** @type {string} */ name) => joints.includes(name) ? 0 : name.startsWith("tau_") ? 1 : 2;
   const drivers = [...new Set(cells.map(({driver}) => driver))].sort((a, b) => rank(a) - rank(b));

@@ -9,7 +9,7 @@ import {captureNames} from "naocal/lib/captures.js";
 /** @import {Candidate, Diagnosis, Signature, SignaturePicture, View} from "naocal/lib/types.js" */
 
 /** All cameras side by side, pages with the largest shifts first. @param {Candidate} candidate @param {Diagnosis} data */
-export function effectSignature({label, imprint}, data) {
+function effectSignature({label, imprint}, data) {
   const signature = /** @type {Signature} */ (imprint), pages = Object.keys(data.cameras).map(camera => ({camera, pages: pagesOf(signature, camera, data)}));
   const count = Math.max(1, ...pages.map(({pages}) => pages.length)), grid = element("div", {class: "grid"}), rank = element("span");
   let shown = 0;

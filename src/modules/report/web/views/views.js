@@ -1,5 +1,5 @@
 // The registered views in display order.
-import * as registry from "naocal/plots/registry.js";
+import * as registry from "naocal/views/registry.js";
 
 /** @import {View} from "naocal/lib/types.js" */
 

@@ -11,7 +11,7 @@ import {captureNames} from "naocal/lib/captures.js";
 const shownFirst = 4, shownMost = 10;
 
 /** @param {Candidate} candidate @param {Taken} data */
-export function addedVariable(candidate, data) {
+function addedVariable(candidate, data) {
   const {label} = candidate, added = /** @type {AddedVariable} */ (candidate.added), {poseName, poseTip} = captureNames(data);
   const tipOf = (/** @type {[number, number, number]} */ [pose, a, b]) => poseTip(pose) + "\n" + label + " from this pose alone: " +
     slopeWords(added, b / a, 1 / Math.abs(a)) + "\nit moves the pose " + (a < 0 ? "against" : "in") + " the sense of " + added.like;

@@ -7,7 +7,7 @@ import {short, tenths, withError, withUnit} from "naocal/lib/format.js";
 /** @import {Curve, View, ViewTools} from "naocal/lib/types.js" */
 
 /** @param {Curve} curve @param {ViewTools} [tools] */
-export function driverCurve(curve, {ownEffect = modelText} = {}) {
+function driverCurve(curve, {ownEffect = modelText} = {}) {
   const {joint, what, amplitude, valueUnit, evidence, model} = curve;
   return element("figure", {},
     figure({height: 250, label: joint + " over " + what, draw: (context, width, height) => draw(context, width, height, curve)}),

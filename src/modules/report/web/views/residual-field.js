@@ -6,7 +6,7 @@ import {direction, px, short} from "naocal/lib/format.js";
 import {extent, groupBy, mean, quantile} from "naocal/lib/statistics.js";
 import {captureNames, cornersOf, errorOf, lengthOf} from "naocal/lib/captures.js";
 import {cornerTargets} from "naocal/plots/corners.js";
-import {modelChoice} from "naocal/plots/model-choice.js";
+import {modelChoice} from "naocal/views/model-choice.js";
 
 /** @import {Diagnosis, Layer, Left, Picture, View} from "naocal/lib/types.js" */
 

@@ -4,7 +4,7 @@ import {captioned, colours} from "naocal/lib/figure.js";
 import {arrow, enlargedWords} from "naocal/lib/axes.js";
 import {chance, withError} from "naocal/lib/format.js";
 import {extent} from "naocal/lib/statistics.js";
-import {modelChoice} from "naocal/plots/model-choice.js";
+import {modelChoice} from "naocal/views/model-choice.js";
 
 /** @import {Shape, View} from "naocal/lib/types.js" */
 
@@ -38,7 +38,7 @@ function drawSheet(context, width, height, {scale, margin, enlarged, millimetre}
 }
 
 /** @param {Shape} shape */
-export function boardShape(shape) {
+function boardShape(shape) {
   const {board, corners, p} = shape, {left, top, wide, margin, tall} = planOf(shape);
   return captioned({height: width => width * tall, label: "shape of board " + board, draw: (context, width, height, caption) => {
     const scale = width / wide, millimetre = scale / 1000, shown = 0.05 * width;

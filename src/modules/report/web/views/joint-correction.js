@@ -4,7 +4,7 @@ import {captioned} from "naocal/lib/figure.js";
 import {short, withError, withUnit} from "naocal/lib/format.js";
 import {binnedMeans, mean, trendStrength} from "naocal/lib/statistics.js";
 import {captureNames} from "naocal/lib/captures.js";
-import {modelChoice} from "naocal/plots/model-choice.js";
+import {modelChoice} from "naocal/views/model-choice.js";
 import {drawScatter} from "naocal/plots/residual-scatter.js";
 
 /** @import {Diagnosis, Driver, Left, View} from "naocal/lib/types.js" */
