@@ -8,6 +8,7 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <utility>
 
 namespace blind {
 
@@ -40,12 +41,60 @@ FloorPlace moved(FloorPlace place, int coordinate, double by) {
   return place;
 }
 
+/// Number of rows of a sight: two per corner.
+Index rowCount(const BoardSight& sight) {
+  return 2 * static_cast<Index>(sight.ids.size());
+}
+
+/// First columns of the unknowns of each kind.
+struct ColumnLayout {
+  std::map<int, Index> motors; // column by joint
+  Index cameras = 0, boards = 0, stances = 0, count = 0;
+};
+
+ColumnLayout layOutColumns(const Drawing& drawing, const Session& session) {
+  ColumnLayout layout;
+  for (const Stance& stance : session.stances) {
+    for (const int joint : chainOf(drawing, stance.side)) {
+      layout.motors.try_emplace(joint, 0);
+    }
+  }
+  for (auto& [joint, column] : layout.motors) {
+    column = layout.cameras++;
+  }
+  layout.boards = layout.cameras + 6;
+  layout.stances = layout.boards + 3 * (static_cast<Index>(session.boards.size()) - 1);
+  layout.count = layout.stances + 3 * static_cast<Index>(session.stances.size());
+  return layout;
+}
+
+constexpr Index chainLength = 8; // joints between a sole and the cameras
+
+/// cameraFromFloor with one joint of the chain moved by -nudge, +nudge.
+using MovedCameras = std::array<std::array<Transform, 2>, chainLength>;
+
+MovedCameras moveJoints(const Drawing& drawing, const TruePictures& pictures, const BoardSight& sight,
+                        const std::vector<int>& chain) {
+  MovedCameras result;
+  for (Index i = 0; i < chainLength; ++i) {
+    for (const int way : {0, 1}) {
+      Eigen::VectorXd turned = pictures.angles(sight.reading);
+      turned[chain[i]] += way == 0 ? -nudge : nudge;
+      for (std::size_t joint = 0; joint < drawing.joints.size(); ++joint) {
+        if (!drawing.joints[joint].drivenBy.empty()) {
+          turned[static_cast<Index>(joint)] = turned[drawing.joint(drawing.joints[joint].drivenBy)];
+        }
+      }
+      result[i][way] = pictures.cameraFromFloor(sight.reading, sight.camera, turned);
+    }
+  }
+  return result;
+}
+
 /// Derivatives of all corners with respect to a calibration's unknowns, by central differences on a robot without
 /// flaws.
 class Jacobian {
 public:
-  static constexpr Eigen::Index chainLength = 8;
-
   Jacobian(const Robot& robot, const Session& session);
 
   /// [px/rad, px/m]: motors in use, three rotations per camera, x, y, yaw of every board except the first, and of every
@@ -59,88 +108,177 @@ public:
   const Eigen::MatrixXd& byChain() const { return byChain_; }
 
 private:
+  struct PlacedSight;
+  void setPriorWeights();
+  void fillChain(const PlacedSight& placed);
+  void fillMount(const PlacedSight& placed);
+  void fillPlacements(const PlacedSight& placed);
+  /// A sight's rows of one column.
+  auto rowsOf(const PlacedSight& placed, Index column);
+
+  ColumnLayout layout_;
   Eigen::MatrixXd unknowns_, byChain_;
   Eigen::VectorXd priorWeights_;
   Eigen::Index placeCount_ = 0;
 };
 
-Jacobian::Jacobian(const Robot& robot, const Session& session) {
-  const Drawing& drawing = *robot.drawing;
-  std::map<int, Index> motors;
-  for (const Stance& stance : session.stances) {
-    for (const int joint : chainOf(drawing, stance.side)) {
-      motors.try_emplace(joint, 0);
+/// A sight with the transforms of its camera and board.
+struct Jacobian::PlacedSight {
+  const Session& session;
+  const BoardSight& sight;
+  const std::vector<int>& chain; // joints between sole and camera
+  const MovedCameras& byJoint;
+  Transform cameraFromFloor, floorFromBoard;
+  Index row = 0; // its first row
+
+  const Stance& stance() const { return session.stances[session.readings[sight.reading].stance]; }
+};
+
+auto Jacobian::rowsOf(const PlacedSight& placed, Index column) {
+  return unknowns_.col(column).segment(placed.row, rowCount(placed.sight));
+}
+
+void Jacobian::setPriorWeights() {
+  constexpr double anywhere = 10; // [m, rad]
+  priorWeights_ = Eigen::VectorXd::Zero(layout_.count);
+  priorWeights_.head(layout_.cameras).setConstant(1 / (0.1 * 0.1));
+  priorWeights_.segment(layout_.cameras, 6).setConstant(1 / (0.05 * 0.05));
+  priorWeights_.tail(placeCount_).setConstant(1 / (anywhere * anywhere));
+}
+
+void Jacobian::fillChain(const PlacedSight& placed) {
+  for (Index i = 0; i < chainLength; ++i) {
+    auto byAngle = byChain_.col(i).segment(placed.row, rowCount(placed.sight));
+    byAngle = slope(placed.sight, [&](double by) { return placed.byJoint[i][by > 0 ? 1 : 0] * placed.floorFromBoard; });
+    rowsOf(placed, layout_.motors.at(placed.chain[i])) = -byAngle;
+  }
+}
+
+/// Small rotations of the mount, one about each axis.
+void Jacobian::fillMount(const PlacedSight& placed) {
+  for (int axis = 0; axis < 3; ++axis) {
+    rowsOf(placed, layout_.cameras + 3 * placed.sight.camera + axis) = slope(placed.sight, [&](double by) {
+      return Transform{rotationAbout(Eigen::Vector3d::Unit(axis), -by), Eigen::Vector3d::Zero()} *
+             placed.cameraFromFloor * placed.floorFromBoard;
+    });
+  }
+}
+
+void Jacobian::fillPlacements(const PlacedSight& placed) {
+  const BoardSight& sight = placed.sight;
+  const FloorPlace &board = placed.session.boards[sight.board], &stance = placed.stance().place;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (sight.board > 0) {
+      rowsOf(placed, layout_.boards + 3 * (sight.board - 1) + axis) =
+          slope(sight, [&](double by) { return placed.cameraFromFloor * floorFromPlace(moved(board, axis, by)); });
     }
+    rowsOf(placed, layout_.stances + 3 * placed.session.readings[sight.reading].stance + axis) =
+        slope(sight, [&](double by) {
+          return placed.cameraFromFloor * floorFromPlace(stance) * floorFromPlace(moved(stance, axis, by)).inverse() *
+                 placed.floorFromBoard;
+        });
   }
-  Index columns = 0;
-  for (auto& [joint, column] : motors) {
-    column = columns++;
-  }
-  const Index cameras = columns, boards = cameras + 6;
-  const Index stances = boards + 3 * (static_cast<Index>(session.boards.size()) - 1);
-  columns = stances + 3 * static_cast<Index>(session.stances.size());
+}
+
+Jacobian::Jacobian(const Robot& robot, const Session& session) : layout_{layOutColumns(*robot.drawing, session)} {
   Index rows = 0;
   for (const BoardSight& sight : session.sights) {
-    rows += 2 * static_cast<Index>(sight.ids.size());
+    rows += rowCount(sight);
   }
-  placeCount_ = columns - boards;
-  unknowns_ = Eigen::MatrixXd::Zero(rows, columns);
+  placeCount_ = layout_.count - layout_.boards;
+  unknowns_ = Eigen::MatrixXd::Zero(rows, layout_.count);
   byChain_ = Eigen::MatrixXd::Zero(rows, chainLength);
-  priorWeights_ = Eigen::VectorXd::Zero(columns);
-  priorWeights_.head(cameras).setConstant(1 / (0.1 * 0.1));
-  priorWeights_.segment(cameras, 6).setConstant(1 / (0.05 * 0.05));
-  constexpr double anywhere = 10; // [m, rad]
-  priorWeights_.tail(placeCount_).setConstant(1 / (anywhere * anywhere));
-
+  setPriorWeights();
   const TruePictures pictures{robot, session};
   Index row = 0;
   std::pair<int, int> before{-1, -1};
-  std::array<std::array<Transform, 2>, chainLength> byJoint; // cameraFromFloor with one joint moved by -nudge, +nudge
+  MovedCameras byJoint;
   for (const BoardSight& sight : session.sights) {
-    const Index height = 2 * static_cast<Index>(sight.ids.size());
     const Stance& stance = session.stances[session.readings[sight.reading].stance];
-    const std::vector<int> chain = chainOf(drawing, stance.side);
-    const Eigen::VectorXd& angles = pictures.angles(sight.reading);
-    const Transform cameraFromFloor = pictures.cameraFromFloor(sight.reading, sight.camera, angles);
-    const FloorPlace& board = session.boards[sight.board];
-    const Transform floorFromBoard = floorFromPlace(board);
+    const std::vector<int> chain = chainOf(*robot.drawing, stance.side);
     if (before != std::pair{sight.reading, sight.camera}) {
       before = {sight.reading, sight.camera};
-      for (Index i = 0; i < chainLength; ++i) {
-        for (const int way : {0, 1}) {
-          Eigen::VectorXd turned = angles;
-          turned[chain[i]] += way == 0 ? -nudge : nudge;
-          for (std::size_t joint = 0; joint < drawing.joints.size(); ++joint) {
-            if (!drawing.joints[joint].drivenBy.empty()) {
-              turned[static_cast<Index>(joint)] = turned[drawing.joint(drawing.joints[joint].drivenBy)];
-            }
-          }
-          byJoint[i][way] = pictures.cameraFromFloor(sight.reading, sight.camera, turned);
-        }
-      }
+      byJoint = moveJoints(*robot.drawing, pictures, sight, chain);
     }
-    const auto rowsOf = [&](Index column) { return unknowns_.col(column).segment(row, height); };
-    for (Index i = 0; i < chainLength; ++i) {
-      byChain_.col(i).segment(row, height) =
-          slope(sight, [&](double by) { return byJoint[i][by > 0 ? 1 : 0] * floorFromBoard; });
-      rowsOf(motors.at(chain[i])) = -byChain_.col(i).segment(row, height);
-    }
-    for (int axis = 0; axis < 3; ++axis) { // small rotations of the mount, one about each axis
-      rowsOf(cameras + 3 * sight.camera + axis) = slope(sight, [&](double by) {
-        return Transform{rotationAbout(Eigen::Vector3d::Unit(axis), -by), Eigen::Vector3d::Zero()} * cameraFromFloor *
-               floorFromBoard;
-      });
-      if (sight.board > 0) {
-        rowsOf(boards + 3 * (sight.board - 1) + axis) =
-            slope(sight, [&](double by) { return cameraFromFloor * floorFromPlace(moved(board, axis, by)); });
-      }
-      rowsOf(stances + 3 * session.readings[sight.reading].stance + axis) = slope(sight, [&](double by) {
-        return cameraFromFloor * floorFromPlace(stance.place) *
-               floorFromPlace(moved(stance.place, axis, by)).inverse() * floorFromBoard;
-      });
-    }
-    row += height;
+    const PlacedSight placed{session,
+                             sight,
+                             chain,
+                             byJoint,
+                             pictures.cameraFromFloor(sight.reading, sight.camera, pictures.angles(sight.reading)),
+                             floorFromPlace(session.boards[sight.board]),
+                             row};
+    fillChain(placed);
+    fillMount(placed);
+    fillPlacements(placed);
+    row += rowCount(sight);
   }
+}
+
+/// The rows of a pose, and what is random in them.
+struct PoseNoise {
+  std::vector<Index> rows;
+  MatrixXd shared;  // by common random variables of unit variance [px]
+  VectorXd weights; // 1 / sigma^2 of the corners [1/px^2]
+};
+
+/// A sight and its first row.
+struct SightRows {
+  const BoardSight* sight;
+  Index row;
+};
+
+/// First columns of `PoseNoise::shared`: by approach, then stiction common to the approaches, then by picture.
+struct NoiseColumns {
+  std::map<int, Index> approaches;               // number by approach
+  std::map<std::pair<int, int>, Index> pictures; // number by (reading, camera)
+  Index stiction = 0, biases = 0, count = 0;
+};
+
+NoiseColumns layOutNoise(const std::vector<SightRows>& members, const Session& session, const NoiseRegime& noise) {
+  NoiseColumns columns;
+  for (const SightRows& member : members) {
+    const BoardSight& sight = *member.sight;
+    columns.approaches.try_emplace(session.readings[sight.reading].approachNumber,
+                                   static_cast<Index>(columns.approaches.size()));
+    columns.pictures.try_emplace({sight.reading, sight.camera}, static_cast<Index>(columns.pictures.size()));
+  }
+  columns.stiction = chainLength * static_cast<Index>(columns.approaches.size());
+  columns.biases = columns.stiction + (noise.stiction > 0 ? chainLength : 0);
+  columns.count = columns.biases + (noise.pictureBias > 0 ? 2 * static_cast<Index>(columns.pictures.size()) : 0);
+  return columns;
+}
+
+PoseNoise noiseOf(const std::vector<SightRows>& members, const MatrixXd& byChain, const Session& session,
+                  const NoiseRegime& noise) {
+  const double ofApproach = std::hypot(encoderStep / std::sqrt(12.0), noise.stiction / std::sqrt(2.0));
+  const double ofPose = noise.stiction / std::sqrt(2.0);
+  const NoiseColumns columns = layOutNoise(members, session, noise);
+  Index size = 0;
+  for (const SightRows& member : members) {
+    size += rowCount(*member.sight);
+  }
+  PoseNoise result{{}, MatrixXd::Zero(size, columns.count), VectorXd(size)};
+  Index at = 0;
+  for (const SightRows& member : members) {
+    const BoardSight& sight = *member.sight;
+    const Index height = rowCount(sight);
+    const auto byJoints = byChain.middleRows(member.row, height);
+    const Index approach = columns.approaches.at(session.readings[sight.reading].approachNumber);
+    result.shared.block(at, chainLength * approach, height, chainLength) = ofApproach * byJoints;
+    if (ofPose > 0) {
+      result.shared.block(at, columns.stiction, height, chainLength) = ofPose * byJoints;
+    }
+    for (Index i = 0; i < height; ++i) {
+      result.rows.push_back(member.row + i);
+      result.weights[at + i] = 1 / (sight.sigma * sight.sigma);
+      if (noise.pictureBias > 0) {
+        const Index picture = columns.pictures.at({sight.reading, sight.camera});
+        result.shared(at + i, columns.biases + 2 * picture + i % 2) = noise.pictureBias;
+      }
+    }
+    at += height;
+  }
+  return result;
 }
 
 } // namespace
@@ -170,56 +308,15 @@ Noncentrality::Noncentrality(const Robot& robot, const Session& session, const N
   const Jacobian jacobian{robot, session};
   unknowns_ = jacobian.unknowns();
 
-  struct Member {
-    std::size_t sight;
-    Index row;
-  };
-  std::map<int, std::vector<Member>> poses;
+  std::map<int, std::vector<SightRows>> poses;
   Index row = 0;
-  for (std::size_t sight = 0; sight < session.sights.size(); ++sight) {
-    poses[session.readings[session.sights[sight].reading].pose].push_back({sight, row});
-    row += 2 * static_cast<Index>(session.sights[sight].ids.size());
+  for (const BoardSight& sight : session.sights) {
+    poses[session.readings[sight.reading].pose].push_back({&sight, row});
+    row += rowCount(sight);
   }
-  const double ofApproach = std::hypot(encoderStep / std::sqrt(12.0), noise.stiction / std::sqrt(2.0));
-  const double ofPose = noise.stiction / std::sqrt(2.0);
-  constexpr Index chain = Jacobian::chainLength;
   for (const auto& [pose, members] : poses) {
-    std::map<int, Index> approaches;
-    std::map<std::pair<int, int>, Index> pictures;
-    for (const Member& member : members) {
-      const BoardSight& sight = session.sights[member.sight];
-      approaches.try_emplace(session.readings[sight.reading].approachNumber, static_cast<Index>(approaches.size()));
-      pictures.try_emplace({sight.reading, sight.camera}, static_cast<Index>(pictures.size()));
-    }
-    const Index biases = noise.pictureBias > 0 ? 2 * static_cast<Index>(pictures.size()) : 0;
-    const Index deflections = chain * (static_cast<Index>(approaches.size()) + (ofPose > 0 ? 1 : 0));
-    Index size = 0;
-    for (const Member& member : members) {
-      size += 2 * static_cast<Index>(session.sights[member.sight].ids.size());
-    }
-    Block block;
-    block.shared = MatrixXd::Zero(size, deflections + biases);
-    block.weights.resize(size);
-    Index at = 0;
-    for (const Member& member : members) {
-      const BoardSight& sight = session.sights[member.sight];
-      const Index height = 2 * static_cast<Index>(sight.ids.size());
-      const auto byJoints = jacobian.byChain().middleRows(member.row, height);
-      const Index approach = approaches.at(session.readings[sight.reading].approachNumber);
-      block.shared.block(at, chain * approach, height, chain) = ofApproach * byJoints;
-      if (ofPose > 0) {
-        block.shared.block(at, deflections - chain, height, chain) = ofPose * byJoints;
-      }
-      for (Index i = 0; i < height; ++i) {
-        block.rows.push_back(member.row + i);
-        block.weights[at + i] = 1 / (sight.sigma * sight.sigma);
-        if (biases > 0) {
-          block.shared(at + i, deflections + 2 * pictures.at({sight.reading, sight.camera}) + i % 2) =
-              noise.pictureBias;
-        }
-      }
-      at += height;
-    }
+    PoseNoise random = noiseOf(members, jacobian.byChain(), session, noise);
+    Block block{std::move(random.rows), std::move(random.shared), std::move(random.weights), {}};
     block.inner.compute(MatrixXd::Identity(block.shared.cols(), block.shared.cols()) +
                         block.shared.transpose() * block.weights.asDiagonal() * block.shared);
     blocks_.push_back(std::move(block));

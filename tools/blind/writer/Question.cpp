@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <stdexcept>
-#include <tuple>
+#include <utility>
 
 namespace blind {
 
@@ -102,58 +102,160 @@ const FlawFamily& someFamily(RandomStream& chance) {
   return catalogue()[static_cast<std::size_t>(chance.below(static_cast<int>(catalogue().size())))];
 }
 
-/// `haste`: grows from 0 to 1 with the number of attempts; relaxes the requirements.
-bool hide(const DesignItem& item, double haste, Question& question, RandomStream& chance) {
-  const Noncentrality noncentrality{question.robot, question.session, question.plan.noise};
-  const FlawSizing hiding{question.robot, question.session, noncentrality};
-  const auto sized = [&](const FlawFamily& family, double wanted) {
-    auto hidden = hiding.scaleTo(family, somePlace(family, question.plan, chance), randomShape(family, chance), wanted,
-                                 (1 + haste) * mostPhysicalSizes);
+/// Hides the flaws of a design's item in a drawn robot and session.
+class FlawHider {
+public:
+  /// `haste`: grows from 0 to 1 with the number of attempts; relaxes the requirements.
+  FlawHider(const DesignItem& item, double haste, Question& question, RandomStream& chance)
+      : item_{item}, haste_{haste}, question_{question}, chance_{chance},
+        noncentrality_{question.robot, question.session, question.plan.noise}, hiding_{question.robot, question.session,
+                                                                                       noncentrality_} {}
+  FlawHider(const FlawHider&) = delete;
+
+  /// False if the requirements are not met.
+  bool hide();
+
+private:
+  /// A flaw of noncentrality `wanted` at some place; absent if it would be implausibly large or untestable.
+  std::optional<HiddenFlaw> drawSized(const FlawFamily& family, double wanted) {
+    auto hidden = hiding_.scaleTo(family, somePlace(family, question_.plan, chance_), randomShape(family, chance_),
+                                  wanted, (1 + haste_) * mostPhysicalSizes);
     return hidden && hidden->kept > untestable ? hidden : std::nullopt;
+  }
+  bool hideAbsorbed();
+  bool hidePair();
+  bool hideWithTwin();
+  bool hideUnsized(const FlawFamily& family);
+
+  const DesignItem& item_;
+  double haste_;
+  Question& question_;
+  RandomStream& chance_;
+  Noncentrality noncentrality_;
+  FlawSizing hiding_; // uses `noncentrality_`
+};
+
+bool FlawHider::hideAbsorbed() {
+  const auto [family, place] = absorbedEffect(item_.kind, question_.plan);
+  question_.hidden.push_back(hiding_.makeFlaw(*family, place, physicalSize(*family, chance_)));
+  return question_.hidden.front().kept < untestable;
+}
+
+bool FlawHider::hidePair() {
+  const auto first = drawSized(someFamily(chance_), item_.noncentrality);
+  const auto second = drawSized(someFamily(chance_), item_.noncentrality);
+  if (!first || !second || first->family == second->family || hiding_.correlation(*first, *second) >= 0.5) {
+    return false;
+  }
+  question_.hidden = {*first, *second};
+  return true;
+}
+
+/// Hides a flaw that has a twin.
+bool FlawHider::hideWithTwin() {
+  constexpr double alike = 0.95, hardly = 0.8, plain = 40;
+  const FlawFamily& family = someFamily(chance_);
+  const HiddenFlaw hidden = hiding_.makeFlaw(
+      family, somePlace(family, question_.plan, chance_),
+      scaled(plausibleShape(family, chance_), chance_.between(plausibleSizes.front(), plausibleSizes.back())));
+  if (hidden.noncentrality < (1 - haste_) * plain || hidden.kept < untestable) {
+    return false;
+  }
+  question_.twins = twinsOf(hidden, hiding_, question_.plan, alike - haste_ * (alike - hardly));
+  question_.hidden.push_back(hidden);
+  return !question_.twins.empty();
+}
+
+/// Hides a flaw whose size does not depend on its visibility.
+bool FlawHider::hideUnsized(const FlawFamily& family) {
+  auto values = item_.group == "outside" ? randomShape(family, chance_)
+                : item_.group == "event" ? scaled(randomShape(family, chance_), chance_.between(0.5, 2))
+                : item_.plausible > 0    ? scaled(plausibleShape(family, chance_), item_.plausible)
+                                         : physicalSize(family, chance_);
+  question_.hidden.push_back(hiding_.makeFlaw(family, somePlace(family, question_.plan, chance_), std::move(values)));
+  const HiddenFlaw& hidden = question_.hidden.front();
+  return hidden.noncentrality > (1 - haste_) * visible && hidden.kept > untestable;
+}
+
+bool FlawHider::hide() {
+  if (item_.group == "absorbed") {
+    return hideAbsorbed();
+  }
+  if (item_.group == "pair") {
+    return hidePair();
+  }
+  if (item_.group == "twin") {
+    return hideWithTwin();
+  }
+  const FlawFamily& family = familyNamed(item_.kind == "offset step" ? offsetStep().effect : item_.kind);
+  if (item_.noncentrality == 0) {
+    return hideUnsized(family);
+  }
+  const auto hidden = drawSized(family, item_.noncentrality);
+  if (hidden) {
+    question_.hidden.push_back(*hidden);
+  }
+  return hidden.has_value();
+}
+
+int stanceOf(const Session& session, int reading) {
+  return session.readings[static_cast<std::size_t>(reading)].stance;
+}
+
+/// Whether a sight is tied across a moment: another one shares its board or stance (`sameOther`) but not both, or both
+/// and lies on the other side of the moment.
+template <typename SameOther>
+bool isTied(const Session& session, const BoardSight& sight, double moment, const SameOther& sameOther) {
+  const auto isAfter = [&](const BoardSight& one) {
+    return session.readings[static_cast<std::size_t>(one.reading)].time > moment;
   };
-  if (item.group == "absorbed") {
-    const auto [family, place] = absorbedEffect(item.kind, question.plan);
-    question.hidden.push_back(hiding.makeFlaw(*family, place, physicalSize(*family, chance)));
-    return question.hidden.front().kept < untestable;
-  }
-  if (item.group == "pair") {
-    const auto& families = catalogue();
-    const auto first = sized(families[chance.below(static_cast<int>(families.size()))], item.noncentrality);
-    const auto second = sized(families[chance.below(static_cast<int>(families.size()))], item.noncentrality);
-    if (!first || !second || first->family == second->family || hiding.correlation(*first, *second) >= 0.5) {
-      return false;
-    }
-    question.hidden = {*first, *second};
-    return true;
-  }
-  if (item.group == "twin") {
-    constexpr double alike = 0.95, hardly = 0.8, plain = 40;
-    const FlawFamily& family = someFamily(chance);
-    const HiddenFlaw hidden = hiding.makeFlaw(
-        family, somePlace(family, question.plan, chance),
-        scaled(plausibleShape(family, chance), chance.between(plausibleSizes.front(), plausibleSizes.back())));
-    if (hidden.noncentrality < (1 - haste) * plain || hidden.kept < untestable) {
-      return false;
-    }
-    question.twins = twinsOf(hidden, hiding, question.plan, alike - haste * (alike - hardly));
-    question.hidden.push_back(hidden);
-    return !question.twins.empty();
-  }
-  const FlawFamily& family = familyNamed(item.kind == "offset step" ? offsetStep().effect : item.kind);
-  if (item.noncentrality == 0) {
-    auto values = item.group == "outside" ? randomShape(family, chance)
-                  : item.group == "event" ? scaled(randomShape(family, chance), chance.between(0.5, 2))
-                  : item.plausible > 0    ? scaled(plausibleShape(family, chance), item.plausible)
-                                          : physicalSize(family, chance);
-    question.hidden.push_back(hiding.makeFlaw(family, somePlace(family, question.plan, chance), std::move(values)));
-    const HiddenFlaw& hidden = question.hidden.front();
-    return hidden.noncentrality > (1 - haste) * visible && hidden.kept > untestable;
-  }
-  if (const auto hidden = sized(family, item.noncentrality)) {
-    question.hidden.push_back(*hidden);
-    return true;
-  }
-  return false;
+  return std::any_of(session.sights.begin(), session.sights.end(), [&](const BoardSight& other) {
+    const bool same =
+        other.board == sight.board && stanceOf(session, other.reading) == stanceOf(session, sight.reading);
+    return (sameOther(other, sight) && !same) || (same && isAfter(other) != isAfter(sight));
+  });
+}
+
+/// Whether any sight of a reading satisfies `which`.
+template <typename Which> bool anySight(const Session& session, int reading, const Which& which) {
+  return std::any_of(session.sights.begin(), session.sights.end(),
+                     [&](const BoardSight& sight) { return sight.reading == reading && which(sight); });
+}
+
+Happening describeKick(const Session& session, const Displacement& kick) {
+  const auto sameStance = [&](const BoardSight& a, const BoardSight& b) {
+    return stanceOf(session, a.reading) == stanceOf(session, b.reading);
+  };
+  const auto [before, after] = around(session, kick.time, [&](int reading) {
+    return anySight(session, reading, [&](const BoardSight& sight) {
+      return sight.board == kick.which && isTied(session, sight, kick.time, sameStance);
+    });
+  });
+  return {"kicked board", std::string(1, static_cast<char>('A' + kick.which)), before, after, {}};
+}
+
+Happening describeSlip(const Session& session, const Displacement& slip) {
+  const auto sameBoard = [](const BoardSight& a, const BoardSight& b) { return a.board == b.board; };
+  const auto [before, after] = around(session, slip.time, [&](int reading) {
+    return stanceOf(session, reading) == slip.which && anySight(session, reading, [&](const BoardSight& sight) {
+             return isTied(session, sight, slip.time, sameBoard);
+           });
+  });
+  return {"slipped robot", std::to_string(slip.which), before, after, {}};
+}
+
+/// `step`: a flaw of the family `offsetStep`.
+Happening describeOffsetStep(const Question& question, const HiddenFlaw& step) {
+  const Session& session = question.session;
+  const int joint = question.robot.drawing->joint(step.place);
+  const bool ofLegs = !step.place.starts_with("Head") && step.place != "LHipYawPitch"; // which turns both legs
+  const double time = question.robot.flaws.joints[static_cast<std::size_t>(joint)].slipTime;
+  const auto [before, after] = around(session, time, [&](int reading) {
+    const int side = session.stances[static_cast<std::size_t>(stanceOf(session, reading))].side;
+    return (!ofLegs || (step.place.front() == 'L') == (side == 0)) &&
+           anySight(session, reading, [](const BoardSight&) { return true; });
+  });
+  return {"offset step", step.place, before, after, {{"step", step.values.front()}}};
 }
 
 } // namespace
@@ -179,7 +281,7 @@ Question drawQuestion(const Drawing& drawing, const DesignItem& item, RandomStre
     }
     const bool harmless = item.group == "control" || item.group == "decoy" || item.group == "corrupted" ||
                           item.group == "jitter" || (item.group == "event" && item.kind != "offset step");
-    if (harmless || hide(item, static_cast<double>(attempt) / (tries - 1), question, chance)) {
+    if (harmless || FlawHider{item, static_cast<double>(attempt) / (tries - 1), question, chance}.hide()) {
       for (const HiddenFlaw& hidden : question.hidden) {
         applyFlaw(hidden, question.robot);
       }
@@ -192,59 +294,19 @@ Question drawQuestion(const Drawing& drawing, const DesignItem& item, RandomStre
 
 std::optional<Happening> happening(const Question& question) {
   const Session& session = question.session;
-  Happening result;
-  std::pair<double, double> times;
-  const auto stanceOf = [&](int reading) { return session.readings[static_cast<std::size_t>(reading)].stance; };
-  // tied sight: another sight shares its board or stance (not both), or both but across the moment
-  const auto tied = [&](const BoardSight& sight, double moment, const auto& sameOther) {
-    const auto isAfter = [&](const BoardSight& one) {
-      return session.readings[static_cast<std::size_t>(one.reading)].time > moment;
-    };
-    return std::any_of(session.sights.begin(), session.sights.end(), [&](const BoardSight& other) {
-      const bool same = other.board == sight.board && stanceOf(other.reading) == stanceOf(sight.reading);
-      return (sameOther(other, sight) && !same) || (same && isAfter(other) != isAfter(sight));
-    });
-  };
-  const auto seen = [&](int reading, const auto& which) {
-    return std::any_of(session.sights.begin(), session.sights.end(),
-                       [&](const BoardSight& sight) { return sight.reading == reading && which(sight); });
-  };
-  if (const auto& kick = session.kickedBoard) {
-    const auto sameStance = [&](const BoardSight& a, const BoardSight& b) {
-      return stanceOf(a.reading) == stanceOf(b.reading);
-    };
-    times = around(session, kick->time, [&](int reading) {
-      return seen(reading, [&](const BoardSight& sight) {
-        return sight.board == kick->which && tied(sight, kick->time, sameStance);
-      });
-    });
-    result = {"kicked board", std::string(1, static_cast<char>('A' + kick->which)), 0, 0, {}};
-  } else if (const auto& slip = session.slippedStance) {
-    const auto sameBoard = [](const BoardSight& a, const BoardSight& b) { return a.board == b.board; };
-    times = around(session, slip->time, [&](int reading) {
-      return stanceOf(reading) == slip->which &&
-             seen(reading, [&](const BoardSight& sight) { return tied(sight, slip->time, sameBoard); });
-    });
-    result = {"slipped robot", std::to_string(slip->which), 0, 0, {}};
+  std::optional<Happening> result;
+  if (session.kickedBoard) {
+    result = describeKick(session, *session.kickedBoard);
+  } else if (session.slippedStance) {
+    result = describeSlip(session, *session.slippedStance);
   } else if (!question.hidden.empty() && question.hidden.front().family == &offsetStep()) {
-    const HiddenFlaw& step = question.hidden.front();
-    const int joint = question.robot.drawing->joint(step.place);
-    const bool ofLegs = !step.place.starts_with("Head") && step.place != "LHipYawPitch"; // which turns both legs
-    times = around(session, question.robot.flaws.joints[static_cast<std::size_t>(joint)].slipTime, [&](int reading) {
-      const int side = session.stances[static_cast<std::size_t>(stanceOf(reading))].side;
-      return (!ofLegs || (step.place.front() == 'L') == (side == 0)) &&
-             seen(reading, [](const BoardSight&) { return true; });
-    });
-    result = {"offset step", step.place, 0, 0, {{"step", step.values.front()}}};
-  } else {
-    return std::nullopt;
+    result = describeOffsetStep(question, question.hidden.front());
   }
   for (const auto& moved : {session.kickedBoard, session.slippedStance}) {
     if (moved) {
-      result.by = {{"x", moved->by.x}, {"y", moved->by.y}, {"yaw", moved->by.yaw}};
+      result->by = {{"x", moved->by.x}, {"y", moved->by.y}, {"yaw", moved->by.yaw}};
     }
   }
-  std::tie(result.before, result.after) = times;
   return result;
 }
 

@@ -37,6 +37,29 @@ Eigen::Vector3d ray(const RigidTransform& floorFromOptical, const CameraIntrinsi
          Eigen::Vector3d{(ideal.x() - lens.cx) / lens.fx, (ideal.y() - lens.cy) / lens.fy, 1};
 }
 
+/// Rotation [rad] and translation in the plane: to = R(yaw) from + shift.
+struct PlaneMotion {
+  double yaw = 0;
+  Eigen::Vector2d shift = Eigen::Vector2d::Zero();
+};
+
+/// Best rotation and translation in the plane (Umeyama, 2-D).
+PlaneMotion alignPoints(const std::vector<Eigen::Vector2d>& from, const std::vector<Eigen::Vector2d>& to) {
+  Eigen::Vector2d middleFrom = Eigen::Vector2d::Zero(), middleTo = Eigen::Vector2d::Zero();
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    middleFrom += from[i] / double(from.size());
+    middleTo += to[i] / double(from.size());
+  }
+  double cosine = 0, sine = 0;
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    const Eigen::Vector2d a = from[i] - middleFrom, b = to[i] - middleTo;
+    cosine += a.dot(b);
+    sine += a.x() * b.y() - a.y() * b.x();
+  }
+  const double yaw = std::atan2(sine, cosine);
+  return {yaw, middleTo - Eigen::Rotation2Dd{yaw} * middleFrom};
+}
+
 /// The image's border projected onto the floor; limited to `farthest`, also above the horizon.
 Json viewOnFloor(const RigidTransform& eye, const CameraIntrinsics& lens) {
   constexpr int steps = 12; // per side
@@ -191,13 +214,26 @@ FloorBoardTracker::Place FloorBoardTracker::mean(const std::string& id) const {
   return sum;
 }
 
+void FloorBoardTracker::addView(const std::string& id, const Place& view) {
+  auto& views = views_[id];
+  if (!views.empty()) {
+    const Place before = mean(id);
+    if (std::hypot(before.x - view.x, before.y - view.y) > movedBy || std::abs(turn(before.yaw, view.yaw)) > turnedBy) {
+      views.clear();
+    }
+  }
+  views.push_back(view);
+  if (views.size() > mostViews) {
+    views.pop_front();
+  }
+}
+
 std::vector<Eigen::Vector2d> FloorBoardTracker::update(const BoardCorners& seen, const CameraView& eye) {
   const Board* const described = board(seen.board);
   const auto isOnIt = [&](int corner) { return corner >= 0 && std::size_t(corner) < described->points.size(); };
   if (described == nullptr || seen.ids.size() < 2 || !std::all_of(seen.ids.begin(), seen.ids.end(), isOnIt)) {
     return {};
   }
-  // best rotation and translation in the plane (Umeyama, 2-D)
   std::vector<Eigen::Vector2d> onBoard, there;
   for (std::size_t i = 0; i < seen.ids.size(); ++i) {
     const auto place = intersectFloor(eye.floorFromOptical, eye.lens, seen.uv[i]);
@@ -207,32 +243,8 @@ std::vector<Eigen::Vector2d> FloorBoardTracker::update(const BoardCorners& seen,
     onBoard.push_back(described->points.at(static_cast<std::size_t>(seen.ids[i])).head<2>());
     there.push_back(*place);
   }
-  Eigen::Vector2d middleOnBoard = Eigen::Vector2d::Zero(), middleThere = Eigen::Vector2d::Zero();
-  for (std::size_t i = 0; i < onBoard.size(); ++i) {
-    middleOnBoard += onBoard[i] / double(onBoard.size());
-    middleThere += there[i] / double(onBoard.size());
-  }
-  double cosine = 0, sine = 0;
-  for (std::size_t i = 0; i < onBoard.size(); ++i) {
-    const Eigen::Vector2d a = onBoard[i] - middleOnBoard, b = there[i] - middleThere;
-    cosine += a.dot(b);
-    sine += a.x() * b.y() - a.y() * b.x();
-  }
-  const double yaw = std::atan2(sine, cosine);
-  const Eigen::Vector2d shift = middleThere - Eigen::Rotation2Dd{yaw} * middleOnBoard;
-
-  auto& views = views_[seen.board];
-  if (!views.empty()) {
-    const Place before = mean(seen.board);
-    if (std::hypot(before.x - shift.x(), before.y - shift.y()) > movedBy ||
-        std::abs(turn(before.yaw, yaw)) > turnedBy) {
-      views.clear();
-    }
-  }
-  views.push_back({shift.x(), shift.y(), yaw});
-  if (views.size() > mostViews) {
-    views.pop_front();
-  }
+  const PlaneMotion floorFromBoard = alignPoints(onBoard, there);
+  addView(seen.board, {floorFromBoard.shift.x(), floorFromBoard.shift.y(), floorFromBoard.yaw});
   const Place place = mean(seen.board);
   std::vector<Eigen::Vector2d> pixels;
   for (const Eigen::Vector2d& corner : onBoard) {

@@ -83,6 +83,7 @@ private:
   };
   const Board* board(const std::string& id) const;
   Place mean(const std::string& id) const;
+  void addView(const std::string& id, const Place& view); // forgets the earlier views if the board has moved
 
   std::vector<Board> boards_;
   std::map<std::string, std::deque<Place>> views_; // last views by board

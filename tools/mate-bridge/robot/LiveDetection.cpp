@@ -65,6 +65,39 @@ struct LiveDetection::VisibleBoard {
   std::vector<Board> boards;
   FloorBoardTracker places{{}};
   std::map<std::string, bool> busy; // by camera
+
+  /// Marks a camera as busy; false if it is already, or no boards are known.
+  bool begin(const std::string& camera) {
+    const std::lock_guard lock{mutex};
+    if (boards.empty() || busy[camera]) {
+      return false;
+    }
+    return busy[camera] = true;
+  }
+  void end(const std::string& camera) {
+    const std::lock_guard lock{mutex};
+    busy[camera] = false;
+  }
+
+  /// Detects boards in an image and tracks them: [{"board", "measured", "predicted"}]. Appends the detected corners to
+  /// `corners` [px].
+  Json detect(const std::string& image, const CameraView& eye, std::vector<Eigen::Vector2d>& corners) {
+    Json list = Json::array();
+    try {
+      std::unique_lock lock{mutex};
+      const std::vector<Board> described = boards;
+      lock.unlock();
+      for (const BoardCorners& seen : detectBoards(decodeImage(image, "a live picture"), described, eye.lens).boards) {
+        lock.lock();
+        const auto predicted = places.update(seen, eye);
+        lock.unlock();
+        corners.insert(corners.end(), seen.uv.begin(), seen.uv.end());
+        list.push_back({{"board", seen.board}, {"measured", listOf(seen.uv)}, {"predicted", listOf(predicted)}});
+      }
+    } catch (const std::exception&) { // ignores a truncated or invalid image
+    }
+    return list;
+  }
 };
 
 LiveDetection::LiveDetection(std::string robot, MessageSink tell)
@@ -124,13 +157,8 @@ void LiveDetection::onImage(const std::string& key, std::uint64_t timestamp, int
     return;
   }
   const CameraView eye{*floorFromOptical, scaled(modelState->second.intrinsics, width, height)};
-  {
-    const std::lock_guard lock{sight_->mutex};
-    bool& busy = sight_->busy[camera];
-    if (sight_->boards.empty() || busy) {
-      return;
-    }
-    busy = true;
+  if (!sight_->begin(camera)) {
+    return;
   }
   looked_[camera] = now;
   LiveCamera seenWith = modelState->second;
@@ -138,25 +166,9 @@ void LiveDetection::onImage(const std::string& key, std::uint64_t timestamp, int
   worker_.enqueue([sight = sight_, tell = tell_, robot = robot_, key, camera, timestamp, eye, bytes = std::string{file},
                    angles, seenWith, unknown = findUncalibrated(drawing_, offsets_, cameras_),
                    offsetsKnown = !offsets_.is_null(), &drawing = drawing_] {
-    Json boards = Json::array();
     std::vector<Eigen::Vector2d> corners;
-    try {
-      std::unique_lock lock{sight->mutex};
-      const std::vector<Board> described = sight->boards;
-      lock.unlock();
-      for (const BoardCorners& seen : detectBoards(decodeImage(bytes, "a live picture"), described, eye.lens).boards) {
-        lock.lock();
-        const auto predicted = sight->places.update(seen, eye);
-        lock.unlock();
-        corners.insert(corners.end(), seen.uv.begin(), seen.uv.end());
-        boards.push_back({{"board", seen.board}, {"measured", listOf(seen.uv)}, {"predicted", listOf(predicted)}});
-      }
-    } catch (const std::exception&) { // ignores a truncated or invalid image
-    }
-    {
-      const std::lock_guard lock{sight->mutex};
-      sight->busy[camera] = false;
-    }
+    const Json boards = sight->detect(bytes, eye, corners);
+    sight->end(camera);
     Json seen{{"kind", "seen"}, {"robot", robot}, {"key", key}, {"timestamp", timestamp}, {"boards", boards}};
     if (!corners.empty() && offsetsKnown) {
       seen["rests"] = predictLiveError(drawing, angles, camera, seenWith, corners, unknown).sentence(drawing, camera);

@@ -77,6 +77,41 @@ std::vector<const Sole*> carrying(const Robot& drawing, const Eigen::VectorXd& a
   return soles;
 }
 
+/// Corners that a camera sees while one sole supports the robot.
+struct LiveView {
+  const Robot& drawing;
+  const Sole& sole;
+  std::size_t camera;
+  const LiveCamera& modelState;
+  const Eigen::VectorXd& angles;
+  const std::vector<Eigen::Vector2d>& pixels;
+  RigidTransform soleFromOptical;
+};
+
+// Errors are small steps, scaled linearly: full steps could move boards beyond the horizon.
+constexpr double smallStep = 1e-3; // [rad]
+
+/// Mean square shift of the corners by the offset of an uncalibrated joint [px^2].
+double squareByJoint(const LiveView& view, std::size_t joint) {
+  const double perStep = sigmaOf(effectName::jointOffset) / smallStep;
+  Eigen::VectorXd moved = view.angles;
+  moved[static_cast<Eigen::Index>(joint)] -= smallStep;
+  return meanSquare(view.soleFromOptical,
+                    seenFrom(view.sole, view.drawing, moved, view.camera, view.modelState.rotation),
+                    view.modelState.intrinsics, view.pixels) *
+         perStep * perStep;
+}
+
+/// Mean square shift of the corners by an uncalibrated rotation of the mount about an axis [px^2].
+double squareByMount(const LiveView& view, int axis) {
+  const double perStep = sigmaOf(effectName::cameraRotation) / smallStep;
+  Eigen::Vector3d turned = view.modelState.rotation;
+  turned[axis] += smallStep;
+  return meanSquare(view.soleFromOptical, seenFrom(view.sole, view.drawing, view.angles, view.camera, turned),
+                    view.modelState.intrinsics, view.pixels) *
+         perStep * perStep;
+}
+
 /// If `joints` has all joints of a leg, removes them and adds "the left leg" to `limbs`.
 void takeLimb(const Robot& drawing, const std::string& side, std::vector<std::string>& joints,
               std::vector<std::string>& limbs) {
@@ -122,38 +157,34 @@ LiveExpectation predictLiveError(const Robot& drawing, const Eigen::VectorXd& an
   if (!index || soles.empty()) {
     return result;
   }
-  // small steps, scaled linearly: full steps could move boards beyond the horizon
-  constexpr double step = 1e-3; // [rad]
-  const double ofJoint = sigmaOf(effectName::jointOffset) / step, ofMount = sigmaOf(effectName::cameraRotation) / step;
+  const std::vector<std::size_t> neck = ancestorJoints(drawing, drawing.cameras[*index].link);
+  const auto legs = double(soles.size());
   std::set<std::size_t> counted;
   double squares = 0;
   for (const Sole* const sole : soles) {
-    const RigidTransform here = seenFrom(*sole, drawing, angles, *index, modelState.rotation);
-    const double share = 1.0 / double(soles.size() * soles.size()); // variance of a mean of independent legs
+    const LiveView view{drawing,
+                        *sole,
+                        *index,
+                        modelState,
+                        angles,
+                        pixels,
+                        seenFrom(*sole, drawing, angles, *index, modelState.rotation)};
     std::vector<std::size_t> chain = ancestorJoints(drawing, sole->link);
-    const std::vector<std::size_t> neck = ancestorJoints(drawing, drawing.cameras[*index].link);
     chain.insert(chain.end(), neck.begin(), neck.end());
     for (const std::size_t joint : chain) {
       if (!uncalibrated.joints.contains(drawing.joints[joint].name)) {
         continue;
       }
-      Eigen::VectorXd moved = angles;
-      moved[static_cast<Eigen::Index>(joint)] -= step;
-      const double square = meanSquare(here, seenFrom(*sole, drawing, moved, *index, modelState.rotation),
-                                       modelState.intrinsics, pixels) *
-                            ofJoint * ofJoint;
+      const double square = squareByJoint(view, joint);
       const bool isOfNeck = std::find(neck.begin(), neck.end(), joint) != neck.end(); // common to both soles
-      squares += square * (isOfNeck ? 1.0 / double(soles.size()) : share);
-      constexpr double unseen = 1; // [px^2]; smaller contributions are not listed
+      squares += square * (isOfNeck ? 1.0 / legs : 1.0 / (legs * legs)); // variance of a mean of independent legs
+      constexpr double unseen = 1;                                       // [px^2]; smaller contributions are not listed
       if (square > unseen) {
         counted.insert(joint);
       }
     }
     for (int axis = 0; axis < 3 && uncalibrated.cameras.contains(camera); ++axis) {
-      Eigen::Vector3d turned = modelState.rotation;
-      turned[axis] += step;
-      squares += meanSquare(here, seenFrom(*sole, drawing, angles, *index, turned), modelState.intrinsics, pixels) *
-                 ofMount * ofMount / double(soles.size());
+      squares += squareByMount(view, axis) / legs;
       result.camera = true;
     }
   }

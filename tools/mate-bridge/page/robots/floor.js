@@ -14,26 +14,41 @@ function draw(context, width, height, scene) {
     points.forEach((point, i) => i ? context.lineTo(...place(point)) : context.moveTo(...place(point)));
     context.closePath();
   };
+  drawGrid(context, width, place);
+  if (!scene) return [];
+  context.save();
+  context.beginPath();
+  context.rect(0, 0, width, height);
+  context.clip();
+  drawViews(context, scene.views, outline);
+  const targets = scene.boards.map(board => drawBoard(context, board, place, outline));
+  drawFeet(context, scene.feet, outline);
+  targets.push(drawCentre(context, scene, place));
+  context.restore();
+  return targets;
+}
+
+/** A line every half metre ahead. */
+function drawGrid(context, width, place) {
   context.strokeStyle = colours.line;
   context.fillStyle = colours.soft;
   context.lineWidth = 1;
   context.textBaseline = "bottom";
   context.textAlign = "left";
   for (let metres = 0; metres <= ahead; metres += 0.5) {
+    const height = place([metres, 0])[1];
     context.beginPath();
-    context.moveTo(0, place([metres, 0])[1]);
-    context.lineTo(width, place([metres, 0])[1]);
+    context.moveTo(0, height);
+    context.lineTo(width, height);
     context.stroke();
-    context.fillText(metres + " m", 4, place([metres, 0])[1] - 2);
+    context.fillText(metres + " m", 4, height - 2);
   }
-  if (!scene) return [];
-  context.save();
-  context.beginPath();
-  context.rect(0, 0, width, height);
-  context.clip();
+}
+
+function drawViews(context, views, outline) {
   for (const [camera, colour] of [["top", colours.blue], ["bottom", colours.orange]]) {
-    if (!scene.views[camera]) continue;
-    outline(scene.views[camera]);
+    if (!views[camera]) continue;
+    outline(views[camera]);
     context.strokeStyle = context.fillStyle = colour;
     context.globalAlpha = 0.08;
     context.fill();
@@ -43,23 +58,26 @@ function draw(context, width, height, scene) {
     context.stroke();
     context.setLineDash([]);
   }
-  const targets = scene.boards.map(board => drawBoard(context, board, place, outline));
+}
+
+function drawFeet(context, feet, outline) {
   context.fillStyle = context.strokeStyle = colours.soft;
-  for (const foot of Object.values(scene.feet)) {
+  for (const foot of Object.values(feet)) {
     outline(foot);
     context.globalAlpha = 0.6;
     context.fill();
     context.globalAlpha = 1;
   }
-  const [x, y] = place(scene.centre);
+}
+
+function drawCentre(context, {centre, carries}, place) {
+  const [x, y] = place(centre);
   context.strokeStyle = colours.pink;
   context.lineWidth = 2;
   context.beginPath();
   context.arc(x, y, 4, 0, 7);
   context.stroke();
-  context.restore();
-  targets.push({x, y, tip: () => "its centre of mass, above " + (scene.carries === "both" ? "both feet" : "the " + scene.carries + " foot")});
-  return targets;
+  return {x, y, tip: () => "its centre of mass, above " + (carries === "both" ? "both feet" : "the " + carries + " foot")};
 }
 
 function drawBoard(context, {id, columns, rows, square, x, y, yaw}, place, outline) {

@@ -39,6 +39,41 @@ const listeners = [];
 export const onNewFigure = listener => { listeners.push(listener); };
 
 /**
+ * Resizes a canvas to `width` x `height` CSS pixels; returns its context, cleared and scaled to the screen's pixels.
+ * @param {HTMLCanvasElement} canvas
+ * @param {number} width
+ * @param {number} height
+ */
+function resizeCanvas(canvas, width, height) {
+  const scale = window.devicePixelRatio || 1, context = contextOf(canvas);
+  canvas.width = Math.round(width * scale);
+  canvas.height = Math.round(height * scale);
+  canvas.style.height = height + "px";
+  context.scale(scale, scale);
+  context.font = font;
+  return context;
+}
+
+/**
+ * The target nearest to a point, at most 18 px away.
+ * @param {Target[]} targets
+ * @param {number} x
+ * @param {number} y
+ */
+function nearestTarget(targets, x, y) {
+  let nearest = 18;
+  /** @type {Target | undefined} */
+  let found;
+  for (const target of targets) {
+    const dx = Math.abs(target.x - x), dy = Math.abs(target.y - y);
+    if (dx > nearest || dy > nearest) continue;
+    const distance = Math.hypot(dx, dy);
+    if (distance < nearest) { nearest = distance; found = target; }
+  }
+  return found;
+}
+
+/**
  * A frame with a canvas; `redraw` repaints it.
  * @param {FigureOptions} options
  * @returns {Figure}
@@ -61,26 +96,14 @@ export function figure(options) {
   frame.redraw = () => {
     const width = frame.clientWidth, tall = typeof height === "function" ? height(width) : height;
     if (!width) return; // not on the page, or hidden
-    const scale = window.devicePixelRatio || 1, context = contextOf(canvas);
-    canvas.width = Math.round(width * scale);
-    canvas.height = Math.round(tall * scale);
-    canvas.style.height = tall + "px";
-    context.scale(scale, scale);
-    context.font = font;
+    const context = resizeCanvas(canvas, width, tall);
     leave();
     targets = draw(context, width, tall) || [];
   };
   const clickOf = (/** @type {Target} */ {click, picture}) => click ?? (open && picture !== undefined ? () => open(picture) : undefined);
   const point = (/** @type {PointerEvent} */ event) => {
-    const box = canvas.getBoundingClientRect(), x = event.clientX - box.left, y = event.clientY - box.top;
-    let nearest = 18;
-    chosen = undefined;
-    for (const target of targets) {
-      const dx = Math.abs(target.x - x), dy = Math.abs(target.y - y);
-      if (dx > nearest || dy > nearest) continue;
-      const distance = Math.hypot(dx, dy);
-      if (distance < nearest) { nearest = distance; chosen = target; }
-    }
+    const box = canvas.getBoundingClientRect();
+    chosen = nearestTarget(targets, event.clientX - box.left, event.clientY - box.top);
     if (!chosen) { leave(); return; }
     ring.hidden = false;
     ring.style.left = chosen.x + "px";
