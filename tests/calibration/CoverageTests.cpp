@@ -91,7 +91,7 @@ Eigen::VectorXd trueUnknowns(const Simulation& simulation, const Model& model, c
   Eigen::VectorXd truth = found;
   for (const Term& term : model.terms()) {
     for (std::size_t i = 0; i < term.effect.unknowns.size(); ++i) {
-      if (const auto value = simulation.truth.value(term.effect.name, term.place, term.effect.unknowns[i].name)) {
+      if (const auto value = simulation.truth.value(term.effect.name, term.placeName, term.effect.unknowns[i].name)) {
         truth[static_cast<Eigen::Index>(term.first + i)] = *value;
       }
     }

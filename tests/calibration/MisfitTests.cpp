@@ -67,7 +67,7 @@ TEST_CASE("a camera that sits elsewhere is no scatter of joints", "[slow]") {
     CHECK(result.rmsPx < 1.5 * fixed.rmsPx);
     for (const Term& term : model.terms()) {
       if (term.effect.name == "jointOffset") {
-        const double truth = simulation.truth.value("jointOffset", term.place, "o").value();
+        const double truth = simulation.truth.value("jointOffset", term.placeName, "o").value();
         const Estimate& estimate = result.estimates[term.first];
         const auto [low, high] = estimate.interval();
         inside += low <= truth && truth <= high;

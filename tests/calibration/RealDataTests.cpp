@@ -64,7 +64,7 @@ TEST_CASE("another simulator's robots are found as it made them") {
     for (const Term& term : fit.model.terms()) {
       for (std::size_t i = 0; i < term.effect.unknowns.size() && !term.isPlacement; ++i) {
         for (const auto& effect : truth.at("effects")) {
-          if (effect.at("effect") == term.effect.name && effect.at("at") == term.place) {
+          if (effect.at("effect") == term.effect.name && effect.at("at") == term.placeName) {
             const Estimate& estimate = fit.result.estimates[term.first + i];
             const double error = std::abs(estimate.value - effect.at(term.effect.unknowns[i].name).get<double>());
             INFO(name << " " << term.label());

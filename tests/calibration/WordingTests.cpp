@@ -7,7 +7,7 @@ namespace naocal {
 namespace {
 
 std::string spoken(Effect effect, const std::string& place, std::size_t unknown = 0) {
-  return describeUnknown(Term{.effect = std::move(effect), .place = place}, unknown);
+  return describeUnknown(Term{.effect = std::move(effect), .placeName = place}, unknown);
 }
 
 } // namespace
@@ -21,7 +21,7 @@ TEST_CASE("unknowns are named as a person would name them") {
   CHECK(spoken(cameraTranslation(), "bottom", 2) == "the bottom camera's place (up)");
   CHECK(spoken(focalLength(), "top") == "the top camera's focal length");
   CHECK(spoken(radialDistortion(), "top", 1) == "the top camera's radial distortion (k2)");
-  CHECK(spoken({.name = "boardBow", .place = EffectSite::board, .unknowns = {{"h", "m", 0.002}}}, "A") ==
+  CHECK(spoken({.name = "boardBow", .placeKind = PlaceKind::board, .unknowns = {{"h", "m", 0.002}}}, "A") ==
         "board A's bow");
   CHECK(spoken({.name = "encoderGain", .unknowns = {{"g", "1", 0.01}}}, "HeadPitch") ==
         "the head pitch's encoder gain");

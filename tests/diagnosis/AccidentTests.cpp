@@ -178,7 +178,7 @@ TEST_CASE("where the alarm stands but nothing is likely, a diagnosis does not ca
   options.alarm = 1;
   options.candidateTests.map = false;
   std::erase_if(options.effects, [](const Effect& effect) {
-    return !effect.base && effect.name != "soleTilt" && effect.name != "hysteresis";
+    return !effect.inBaseModel && effect.name != "soleTilt" && effect.name != "hysteresis";
   });
   int inconclusive = 0;
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {

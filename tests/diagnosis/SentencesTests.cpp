@@ -38,7 +38,7 @@ private:
 CandidateFinding found(Effect effect, const std::string& place, const std::vector<double>& sizes,
                        const std::vector<double>& sigmas) {
   CandidateFinding result;
-  result.term = {.effect = std::move(effect), .place = place};
+  result.term = {.effect = std::move(effect), .placeName = place};
   result.state = CandidateState::present;
   result.evidence.estimate = Eigen::Map<const Eigen::VectorXd>(sizes.data(), std::ssize(sizes));
   const Eigen::VectorXd sigma = Eigen::Map<const Eigen::VectorXd>(sigmas.data(), std::ssize(sigmas));
@@ -77,8 +77,8 @@ void addCalibrationVerdicts(Sentences& all) {
   CalibrationResult result;
   result.rmsPx = 4.49;
   result.noiseFloorPx = 0.65;
-  const Accidents none;
-  Accidents one, some;
+  const DisplacedBoardCount none;
+  DisplacedBoardCount one, some;
   one.moved = 1, some.moved = 3;
   one.all = some.all = 120;
   const std::string cause = "the likeliest cause is elasticity@LKneePitch (probability 69 %)";
@@ -115,7 +115,7 @@ void addDiagnosisVerdicts(Sentences& all) {
   missing.steps.back().heldOutPx = 4.4;
   add(", the error stays", missing);
   missing = softKnee();
-  missing.ranking[0].term.effect.what.clear();
+  missing.ranking[0].term.effect.description.clear();
   missing.steps.front().heldOutPx.reset();
   add(", one pose, an effect without words", missing);
 
@@ -191,16 +191,16 @@ void addSizes(Sentences& all) {
 
 void addEffects(Sentences& all) {
   all.heading("effects, and their unknowns at a place");
-  const std::map<EffectSite, std::string> places{{EffectSite::motor, "LKneePitch"}, {EffectSite::joint, "HeadYaw"},
-                                                 {EffectSite::camera, "top"},       {EffectSite::board, "A"},
-                                                 {EffectSite::sole, "left"},        {EffectSite::length, "thigh"},
-                                                 {EffectSite::all, "all"},          {EffectSite::stance, "0"}};
+  const std::map<PlaceKind, std::string> places{{PlaceKind::motor, "LKneePitch"}, {PlaceKind::joint, "HeadYaw"},
+                                                {PlaceKind::camera, "top"},       {PlaceKind::board, "A"},
+                                                {PlaceKind::sole, "left"},        {PlaceKind::length, "thigh"},
+                                                {PlaceKind::all, "all"},          {PlaceKind::stance, "0"}};
   for (const Effect& effect : allEffects()) {
-    all.add(effect.name, effect.what);
+    all.add(effect.name, effect.description);
     for (std::size_t i = 0; i < effect.unknowns.size(); ++i) {
-      const std::string& place = places.at(effect.place);
+      const std::string& place = places.at(effect.placeKind);
       all.add(effect.name + "@" + place + "." + effect.unknowns[i].name,
-              describeUnknown(Term{.effect = effect, .place = place}, i));
+              describeUnknown(Term{.effect = effect, .placeName = place}, i));
     }
   }
   all.add("enumerated", joinWords({"a"}) + "; " + joinWords({"a", "b"}) + "; " + joinWords({"a", "b", "c"}));

@@ -60,7 +60,7 @@ TEST_CASE("every effect keeps the contract of effects") {
     CHECK(names.insert(effect.name).second);
     CHECK((effect.alias.empty() || names.insert(effect.alias).second));
     CHECK_FALSE(effect.formula.empty());
-    CHECK_FALSE(effect.what.empty());
+    CHECK_FALSE(effect.description.empty());
     REQUIRE_FALSE(effect.unknowns.empty());
     std::vector<double> values(effect.unknowns.size(), 0);
     const Eigen::VectorXd atZero = instance.corrected(effect, values);

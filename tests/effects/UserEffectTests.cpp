@@ -60,8 +60,8 @@ TEST_CASE("a person's own effect corrects as its expression says, in several thr
   const std::size_t knee = *bench.robot.jointIndex("LKneePitch");
   const double q = bench.instant.q[static_cast<Eigen::Index>(knee)];
   CHECK(bench.correction(effect, knee, {0.01, 0.002}) == Approx(0.01 * std::sin(3 * q) + 0.002 * 2 * q));
-  CHECK(effect.needs == std::vector<Driver>{Driver::angle, Driver::torque});
-  CHECK(effect.only == knee);
+  CHECK(effect.drivers == std::vector<Driver>{Driver::angle, Driver::torque});
+  CHECK(effect.onlyAtMotor == knee);
   std::vector<int> wrong(4, 0);
   std::vector<std::thread> threads;
   for (std::size_t i = 0; i < wrong.size(); ++i) {
@@ -101,8 +101,8 @@ TEST_CASE("an expression may use every name of the contract") {
     const Effect effect = bench.effect(R"json({"name": "own", "at": "*", "unknowns": {"a": {"unit": "1", "sigma": 1}},
       "correction": "a*)json" + name + "\"}");
     CHECK(bench.correction(effect, 3, {2}) == Approx(2 * value));
-    CHECK(effect.needs.size() + effect.elsewhere.size() == 1);
-    CHECK_FALSE(effect.only);
+    CHECK(effect.drivers.size() + effect.remoteDrivers.size() == 1);
+    CHECK_FALSE(effect.onlyAtMotor);
   }
 }
 

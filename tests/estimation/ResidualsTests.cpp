@@ -215,7 +215,7 @@ TEST_CASE("a hip yaw-pitch motor is one unknown under both of its names") {
   const Problem problem;
   const Model model = buildModel(problem.measurements, {"jointOffset@RHipYawPitch"});
   CHECK(std::count_if(model.terms().begin(), model.terms().end(),
-                      [](const Term& term) { return term.place.find("HipYawPitch") != std::string::npos; }) == 1);
+                      [](const Term& term) { return term.placeName.find("HipYawPitch") != std::string::npos; }) == 1);
   CHECK(buildModel(problem.measurements, {}, {"jointOffset@RHipYawPitch"}).unknownCount() == model.unknownCount() - 1);
 }
 

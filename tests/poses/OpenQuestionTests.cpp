@@ -13,7 +13,7 @@ CandidateFinding finding(const std::string& effect, const std::string& place, Ca
       result.term.effect = each;
     }
   }
-  result.term.place = place;
+  result.term.placeName = place;
   result.state = state;
   result.evidence.bayes = evidence;
   result.evidence.freedom = 1;

@@ -33,10 +33,10 @@ std::vector<std::optional<SceneUnknown>> findInScene(const Robot& robot, const M
   std::vector<std::optional<SceneUnknown>> result(model.unknownCount());
   for (const Term& term : model.terms()) {
     if (term.effect.name == "jointOffset") {
-      result[term.first] = SceneUnknown{eigenIndex(term.site), -1};
+      result[term.first] = SceneUnknown{eigenIndex(term.placeIndex), -1};
     } else if (term.effect.name == "cameraRotation") {
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        result[term.first + axis] = SceneUnknown{eigenIndex(robot.joints.size() + 3 * term.site + axis), 1};
+        result[term.first + axis] = SceneUnknown{eigenIndex(robot.joints.size() + 3 * term.placeIndex + axis), 1};
       }
     }
   }

@@ -83,7 +83,7 @@ NoiseConsistentFit fitWithNoise(const Measurements& measurements, const Model& m
 /// remaining measurements, or nothing if none was excluded.
 std::optional<Measurements> excludeMovedBoards(const Measurements& measurements, const Model& model,
                                                const CalibrationOptions& options, NoiseConsistentFit& answer) {
-  const std::size_t most = Accidents{measurements, {}}.mostSetAside();
+  const std::size_t most = DisplacedBoardCount{measurements, {}}.mostSetAside();
   std::optional<Measurements> kept;
   for (std::size_t aside = 0; aside < most; ++aside) {
     const Measurements& used = kept ? *kept : measurements;
@@ -130,7 +130,7 @@ CalibrationResult calibrate(const Measurements& measurements, const Model& model
   result.noiseSource = answer.fromRepeats ? "repeats" : "configured";
   result.restartsTried = options.restarts;
   result.outliers = findOutliers(used, result);
-  if (options.robust && Accidents{used, result.outliers}.areTooMany()) {
+  if (options.robust && DisplacedBoardCount{used, result.outliers}.areTooMany()) {
     CalibrationOptions all = options;
     all.robust = false;
     all.start = result.unknowns;

@@ -46,9 +46,10 @@ std::vector<EffectiveOffset> effectiveOffsets(const FittedModel& fitted) {
   }
   std::vector<EffectiveOffset> offsets;
   for (const Term& term : fitted.model.terms()) {
-    if (const auto found = sums.find(term.site); term.effect.name == effectName::jointOffset && found != sums.end()) {
+    if (const auto found = sums.find(term.placeIndex);
+        term.effect.name == effectName::jointOffset && found != sums.end()) {
       const Sum& sum = found->second;
-      offsets.push_back({term.place, sum.value / sum.count,
+      offsets.push_back({term.placeName, sum.value / sum.count,
                          std::sqrt(sum.gradient.dot(fitted.fit.covariance * sum.gradient)) / sum.count,
                          fitted.fit.estimates[term.first].learned});
     }

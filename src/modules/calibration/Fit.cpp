@@ -18,7 +18,7 @@ namespace {
 /// Adikari's thesis, docs/evaluation.md).
 std::optional<FitMinimum> alternate(Residuals& residuals, Residuals::State state) {
   const auto ofJoint = [](const Term& term) {
-    return term.effect.place == EffectSite::motor || term.effect.place == EffectSite::joint;
+    return term.effect.placeKind == PlaceKind::motor || term.effect.placeKind == PlaceKind::joint;
   };
   std::vector<bool> joints(residuals.model().unknownCount(), true), others = joints;
   for (const Term& term : residuals.model().terms()) {
@@ -198,12 +198,12 @@ Fit refit(const Measurements& measurements, const Model& model, const Noise& noi
   return {noise, loss, *std::move(minimum), from.restartsChanged};
 }
 
-Fit fitNearly(const Measurements& measurements, const Model& model, const Noise& noise, const Loss& loss,
-              const Eigen::VectorXd& unknowns) {
+Fit fitForComparison(const Measurements& measurements, const Model& model, const Noise& noise, const Loss& loss,
+                     const Eigen::VectorXd& unknowns) {
   Fit from{
       Noise{.pixel = noise.pixel, .encoder = -1, .pose = -1}, loss, {}}; // differs from `noise`: forces new deflections
   from.minimum.state.unknowns = unknowns;
-  return refit(measurements, model, noise, loss, std::move(from), nearly);
+  return refit(measurements, model, noise, loss, std::move(from), comparisonTolerance);
 }
 
 Fit fitRobustly(const Measurements& measurements, const Model& model, const Noise& noise, Fit from) {
@@ -220,7 +220,7 @@ Fit fitRobustly(const Measurements& measurements, const Model& model, const Nois
 
 bool isMostlyOutliers(const BoardResidual& observation) {
   return observation.weight.size() > 1 &&
-         2 * (observation.weight.array() < trusted).count() > observation.weight.size();
+         2 * (observation.weight.array() < outlierWeight).count() > observation.weight.size();
 }
 
 Fit refitWithWideLoss(const Measurements& measurements, const Model& model, Fit from) {

@@ -33,18 +33,18 @@ Fit refit(const Measurements& measurements, const Model& model, const Noise& noi
           double smallestFall = LevenbergMarquardtOptions{}.minCostDecrease);
 
 /// Minimum cost decrease of fits that are only compared: their costs differ by tens.
-constexpr double nearly = 0.01;
+constexpr double comparisonTolerance = 0.01;
 
-/// Fits from unknowns without known deflections; stops at `nearly`.
-Fit fitNearly(const Measurements& measurements, const Model& model, const Noise& noise, const Loss& loss,
-              const Eigen::VectorXd& unknowns);
+/// Fits from unknowns without known deflections; stops at `comparisonTolerance`.
+Fit fitForComparison(const Measurements& measurements, const Model& model, const Noise& noise, const Loss& loss,
+                     const Eigen::VectorXd& unknowns);
 
 /// Robust refit: downweights corners far from their prediction. The loss scale follows the median distance, so that a
 /// missing effect does not turn a whole board into outliers. Stops at `coarseTolerance`.
 Fit fitRobustly(const Measurements& measurements, const Model& model, const Noise& noise, Fit from);
 
 /// Loss weight below which a corner is an outlier: 4.5 sigma, 1 in 30 000 good corners.
-constexpr double trusted = 0.7;
+constexpr double outlierWeight = 0.7;
 /// True if more than half of the observation's corners are outliers.
 bool isMostlyOutliers(const BoardResidual& observation);
 

@@ -359,11 +359,12 @@ Eigen::VectorXd initializePlacements(const Measurements& measurements, const Mod
     if (!term.isPlacement) {
       continue;
     }
-    const bool isBoard = term.effect.place == EffectSite::board;
-    if (isBoard && (!measurements.targets[term.site].onFloor || measurements.targets[term.site].board.hasGuess)) {
+    const bool isBoard = term.effect.placeKind == PlaceKind::board;
+    if (isBoard &&
+        (!measurements.targets[term.placeIndex].onFloor || measurements.targets[term.placeIndex].board.hasGuess)) {
       continue; // starts from its guess
     }
-    const auto& placement = isBoard ? boards[term.site] : stances[term.site];
+    const auto& placement = isBoard ? boards[term.placeIndex] : stances[term.placeIndex];
     if (!placement) {
       continue;
     }
@@ -382,7 +383,7 @@ Eigen::VectorXd alignBoards(const Measurements& measurements, const Model& model
       levenbergMarquardt(alignment, start, {.maxIterations = 30, .minCostDecrease = 1e-3}).value().state;
   const Eigen::VectorXd placedAnew = initializePlacements(measurements, model, aligned);
   for (const Term& term : model.terms()) {
-    if (term.isPlacement && term.effect.place == EffectSite::board && !alignment.includes(term.site)) {
+    if (term.isPlacement && term.effect.placeKind == PlaceKind::board && !alignment.includes(term.placeIndex)) {
       const auto first = static_cast<Eigen::Index>(term.first),
                  count = static_cast<Eigen::Index>(term.effect.unknowns.size());
       aligned.segment(first, count) = placedAnew.segment(first, count);

@@ -51,7 +51,7 @@ std::vector<Term> namedEffects(const WideModel& wide, const WindowModel& explana
 
 /// Whether the effect acts on a joint angle, as joint noise does.
 bool isOfJoint(const Term& term) {
-  return term.effect.place == EffectSite::motor || term.effect.place == EffectSite::joint;
+  return term.effect.placeKind == PlaceKind::motor || term.effect.placeKind == PlaceKind::joint;
 }
 
 bool areSame(const std::vector<Term>& a, const std::vector<Term>& b) {
@@ -74,7 +74,7 @@ std::vector<Term> putInFront(const std::vector<Term>& first, const std::vector<T
 std::vector<Term> addedEffects(const Model& model) {
   std::vector<Term> result;
   std::copy_if(model.terms().begin(), model.terms().end(), std::back_inserter(result),
-               [](const Term& term) { return !term.effect.base && !term.isPlacement && term.requested; });
+               [](const Term& term) { return !term.effect.inBaseModel && !term.isPlacement && term.requested; });
   std::sort(result.begin(), result.end(), [](const Term& a, const Term& b) { return a.label() < b.label(); });
   return result;
 }
@@ -129,7 +129,7 @@ std::string formatGroup(const WideModel& wide, std::size_t group) {
   }
   const std::size_t curve = group - wide.candidates().size();
   if (curve < wide.mounts().size()) {
-    return wide.mounts()[curve].term.place;
+    return wide.mounts()[curve].term.placeName;
   }
   const DriverBasis& cell = wide.map().cells[curve - wide.mounts().size()];
   return wide.jointName(cell.motor) + " over " + expressionName(wide.map().drivers[cell.driver], cell.motor);
@@ -268,7 +268,7 @@ std::optional<Model> widenPriors(const Model& model, const Eigen::VectorXd& unkn
   for (Term term : model.terms()) {
     const Eigen::ArrayXd sigmas = term.sigmas();
     const auto first = eigenIndex(term.first), count = sigmas.size();
-    if (term.requested && !term.isPlacement && !term.effect.base &&
+    if (term.requested && !term.isPlacement && !term.effect.inBaseModel &&
         isWide(unknowns.segment(first, count).array() / sigmas,
                variances.segment(first, count).array() / sigmas.square())) {
       for (Unknown& unknown : term.effect.unknowns) {

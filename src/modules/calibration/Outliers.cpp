@@ -17,7 +17,7 @@ std::vector<Outlier> findOutliers(const Measurements& measurements, const Calibr
     Outlier outlier{seen.picture, seen.observation, {}, false, 0};
     double squares = 0;
     for (Eigen::Index i = 0; i < seen.weight.size(); ++i) {
-      if (seen.weight[i] < trusted) {
+      if (seen.weight[i] < outlierWeight) {
         outlier.corners.push_back(observation.ids[static_cast<std::size_t>(i)]);
         squares += seen.residual.col(i).squaredNorm();
       }
@@ -31,7 +31,7 @@ std::vector<Outlier> findOutliers(const Measurements& measurements, const Calibr
   return all;
 }
 
-Accidents::Accidents(const Measurements& measurements, const std::vector<Outlier>& outliers) {
+DisplacedBoardCount::DisplacedBoardCount(const Measurements& measurements, const std::vector<Outlier>& outliers) {
   for (const ImageObservation& picture : measurements.pictures) {
     all += picture.observations.size();
   }
@@ -40,7 +40,7 @@ Accidents::Accidents(const Measurements& measurements, const std::vector<Outlier
   }
 }
 
-std::size_t Accidents::mostSetAside() const {
+std::size_t DisplacedBoardCount::mostSetAside() const {
   constexpr double share = 0.1;
   return static_cast<std::size_t>(std::ceil(share * static_cast<double>(all)));
 }

@@ -12,11 +12,11 @@ namespace naocal {
 std::vector<Outlier> findOutliers(const Measurements& measurements, const CalibrationResult& result);
 
 /// Number of displaced boards among all observations.
-struct Accidents {
+struct DisplacedBoardCount {
   std::size_t moved = 0, all = 0;
 
-  Accidents() = default;
-  Accidents(const Measurements& measurements, const std::vector<Outlier>& outliers);
+  DisplacedBoardCount() = default;
+  DisplacedBoardCount(const Measurements& measurements, const std::vector<Outlier>& outliers);
 
   bool any() const { return moved > 0; }
   /// More than 5 % of the observations: reported.

@@ -128,7 +128,7 @@ json effectsJson(const Model& model, const CalibrationResult& result) {
             {"value", averaged->value}, {"sigma", averaged->sigma}, {"interval", {averaged->low, averaged->high}}};
       }
     }
-    effects.push_back({{"effect", term.effect.name}, {"at", term.place}, {"unknowns", std::move(unknowns)}});
+    effects.push_back({{"effect", term.effect.name}, {"at", term.placeName}, {"unknowns", std::move(unknowns)}});
   }
   return effects;
 }

@@ -33,9 +33,9 @@ ResultVerdict judgeExplained(const Model& model, const CalibrationResult& result
   return holds ? ResultVerdict::causeMissing : ResultVerdict::doNotUse;
 }
 
-std::string words(const Accidents& accidents) {
-  return fmt::format("{} of {} board views {} not lie where the others put {}", accidents.moved, accidents.all,
-                     accidents.moved == 1 ? "does" : "do", accidents.moved == 1 ? "it" : "them");
+std::string words(const DisplacedBoardCount& displaced) {
+  return fmt::format("{} of {} board views {} not lie where the others put {}", displaced.moved, displaced.all,
+                     displaced.moved == 1 ? "does" : "do", displaced.moved == 1 ? "it" : "them");
 }
 
 /// rms distance of all corners except those of displaced boards [px].
@@ -50,11 +50,11 @@ double rmsWithoutMoved(const CalibrationResult& result) {
 }
 
 /// For example "the error is 4.49 px, the noise floor 0.65 px".
-std::string formatSizes(const CalibrationResult& result, const Accidents& accidents) {
+std::string formatSizes(const CalibrationResult& result, const DisplacedBoardCount& displaced) {
   return fmt::format("{}the error is {:.2f} px, the noise floor {:.2f} px",
-                     accidents.any() ? words(accidents) + "; without " + (accidents.moved == 1 ? "it " : "them ")
+                     displaced.any() ? words(displaced) + "; without " + (displaced.moved == 1 ? "it " : "them ")
                                      : std::string{},
-                     accidents.any() ? rmsWithoutMoved(result) : result.rmsPx, result.noiseFloorPx);
+                     displaced.any() ? rmsWithoutMoved(result) : result.rmsPx, result.noiseFloorPx);
 }
 
 using About = Warning::About;
@@ -118,21 +118,21 @@ std::string formatCause(const CalibrationResult& result, bool missing) {
 
 } // namespace
 
-std::string formatVerdict(const CalibrationResult& result, const Accidents& accidents, const std::string& cause,
-                          const std::string& firm) {
+std::string formatVerdict(const CalibrationResult& result, const DisplacedBoardCount& displaced,
+                          const std::string& cause, const std::string& firm) {
   switch (result.verdict) {
   case ResultVerdict::good:
     return fmt::format("This calibration is good: the model explains the captures ({}).",
-                       formatSizes(result, accidents));
+                       formatSizes(result, displaced));
   case ResultVerdict::causeMissing:
     return fmt::format("Usable, but a cause is missing: {}; {}. The intervals of the offsets already include this "
                        "uncertainty. Find it with 'naocal diagnose'.",
-                       formatSizes(result, accidents), cause);
+                       formatSizes(result, displaced), cause);
   case ResultVerdict::doNotUse:
     return firm.empty()
                ? fmt::format("Do not use this calibration yet: {}; {}, and the offsets depend on it. Find it with "
                              "'naocal diagnose'.",
-                             formatSizes(result, accidents), cause)
+                             formatSizes(result, displaced), cause)
                : fmt::format("Do not use this calibration: {}.", firm);
   }
   return {};
@@ -149,14 +149,14 @@ void judgeResult(const Measurements& measurements, const Model& model, Calibrati
   checkOffsets(model, result);
   checkFloorError(result);
   const bool missing = result.pValue <= threshold::alarm && result.matters;
-  const Accidents accidents{measurements, result.outliers};
+  const DisplacedBoardCount displaced{measurements, result.outliers};
   // reports a missing effect first: it implies that the offsets are uncertain
   const std::string firm =
       result.usable || (missing && result.converged) ? std::string{} : result.warnings.front().sentence;
   result.verdict =
-      result.usable ? judgeExplained(model, result, missing || accidents.areMany()) : ResultVerdict::doNotUse;
+      result.usable ? judgeExplained(model, result, missing || displaced.areMany()) : ResultVerdict::doNotUse;
   result.usable = result.verdict != ResultVerdict::doNotUse;
-  result.sentence = formatVerdict(result, accidents, formatCause(result, missing), firm);
+  result.sentence = formatVerdict(result, displaced, formatCause(result, missing), firm);
   warnOfOutliers(result);
 }
 

@@ -50,30 +50,31 @@ std::string direction(const std::string& unknown) {
 std::string describeUnknown(const Term& term, std::size_t unknown) {
   const std::string& name = term.effect.unknowns[unknown].name;
   if (term.effect.name == effectName::jointOffset) {
-    return joint(term.place);
+    return joint(term.placeName);
   }
   if (term.effect.name == effectName::cameraRotation) {
-    return fmt::format("the {} camera's {}", term.place, direction(name));
+    return fmt::format("the {} camera's {}", term.placeName, direction(name));
   }
   if (term.effect.name == "cameraTranslation") {
-    return fmt::format("the {} camera's place ({})", term.place, direction(name));
+    return fmt::format("the {} camera's place ({})", term.placeName, direction(name));
   }
   const std::string which = term.effect.unknowns.size() > 1 ? " (" + name + ")" : "";
-  if (term.effect.place == EffectSite::camera) {
-    return fmt::format("the {} camera's {}{}", term.place, splitCamelCase(term.effect.name), which);
+  if (term.effect.placeKind == PlaceKind::camera) {
+    return fmt::format("the {} camera's {}{}", term.placeName, splitCamelCase(term.effect.name), which);
   }
-  if (term.effect.place == EffectSite::board) { // boardBow, boardScale, ...
+  if (term.effect.placeKind == PlaceKind::board) { // boardBow, boardScale, ...
     const bool says = term.effect.name.starts_with("board");
-    return fmt::format("board {}'s {}{}", term.place, splitCamelCase(term.effect.name.substr(says ? 5 : 0)), which);
+    return fmt::format("board {}'s {}{}", term.placeName, splitCamelCase(term.effect.name.substr(says ? 5 : 0)), which);
   }
-  if (term.effect.place == EffectSite::sole) { // soleTilt, ...
+  if (term.effect.placeKind == PlaceKind::sole) { // soleTilt, ...
     const bool says = term.effect.name.starts_with("sole");
-    return fmt::format("the {} sole's {}{}", term.place, splitCamelCase(term.effect.name.substr(says ? 4 : 0)), which);
+    return fmt::format("the {} sole's {}{}", term.placeName, splitCamelCase(term.effect.name.substr(says ? 4 : 0)),
+                       which);
   }
-  if (term.effect.place == EffectSite::all) {
+  if (term.effect.placeKind == PlaceKind::all) {
     return fmt::format("the {}{}", splitCamelCase(term.effect.name), which);
   }
-  return fmt::format("{}'s {}{}", joint(term.place), splitCamelCase(term.effect.name), which);
+  return fmt::format("{}'s {}{}", joint(term.placeName), splitCamelCase(term.effect.name), which);
 }
 
 std::string joinWords(const std::vector<std::string>& words) {

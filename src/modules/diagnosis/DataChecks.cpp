@@ -69,11 +69,12 @@ std::optional<DataAnomaly> findSetUp(const CandidateTests& candidateTests, const
     return DataAnomaly{{},
                        fmt::format("the squares of {} are {:.1f} % {} than the file says: measure the print and "
                                    "correct squareLength",
-                                   term.site == allSites ? "all boards" : "board " + term.place, 100 * std::abs(size),
-                                   size > 0 ? "larger" : "smaller")};
+                                   term.placeIndex == allPlaces ? "all boards" : "board " + term.placeName,
+                                   100 * std::abs(size), size > 0 ? "larger" : "smaller")};
   }
   if (term.effect.name == effectName::encoderGain && evidence.estimate[0] < mirrored) {
-    return DataAnomaly{{}, fmt::format("{} seems to turn the other way: its angles have the wrong sign", term.place)};
+    return DataAnomaly{{},
+                       fmt::format("{} seems to turn the other way: its angles have the wrong sign", term.placeName)};
   }
   return std::nullopt;
 }
@@ -83,7 +84,7 @@ bool mayBeMirrored(const CandidateTests& candidateTests, std::size_t motor) {
   constexpr double notable = -0.3;
   for (std::size_t i = 0; i < candidateTests.candidates().size(); ++i) {
     const Term& term = candidateTests.candidates()[i];
-    if (term.effect.name == effectName::encoderGain && term.site == motor &&
+    if (term.effect.name == effectName::encoderGain && term.placeIndex == motor &&
         candidateTests.candidateEvidence(i).freedom > 0) {
       const GroupEvidence& gain = candidateTests.candidateEvidence(i);
       return gain.estimate[0] - 3 * std::sqrt(gain.covariance(0, 0)) < notable;

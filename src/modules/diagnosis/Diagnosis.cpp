@@ -43,8 +43,8 @@ bool explains(const CandidateTests& candidateTests, std::optional<std::size_t> c
     return false;
   }
   const Term& term = candidateTests.candidates()[*candidate];
-  const EffectSite of = field.of == ImageField::Of::camera ? EffectSite::camera : EffectSite::board;
-  const bool samePlace = term.effect.place == of && term.site == field.at;
+  const PlaceKind of = field.of == ImageField::Of::camera ? PlaceKind::camera : PlaceKind::board;
+  const bool samePlace = term.effect.placeKind == of && term.placeIndex == field.at;
   return !samePlace && candidateTests.candidateEvidence(*candidate).bayes > 2 * field.fit.bayes;
 }
 

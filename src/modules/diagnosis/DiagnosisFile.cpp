@@ -44,7 +44,7 @@ Json unknowns(const CandidateFinding& finding) {
 
 Json rankingEntry(const CandidateFinding& finding, std::size_t mostPoints) {
   Json entry{{"effect", finding.term.effect.name},
-             {"at", finding.term.place},
+             {"at", finding.term.placeName},
              {"unknowns", unknowns(finding)},
              {"state", toString(finding.state)},
              {"power", finding.power},

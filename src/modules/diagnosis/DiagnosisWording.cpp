@@ -20,8 +20,8 @@ std::string percent(double p) {
 std::string formatMissing(const Diagnosis& diagnosis) {
   const CandidateFinding& first = diagnosis.ranking.front();
   std::string text = fmt::format("{} is missing ({}).", first.term.label(), formatSizes(first));
-  if (!first.term.effect.what.empty()) {
-    text += fmt::format(" That is: {}.", first.term.effect.what);
+  if (!first.term.effect.description.empty()) {
+    text += fmt::format(" That is: {}.", first.term.effect.description);
   }
   if (!first.equivalent.empty()) {
     const std::size_t shown = std::min<std::size_t>(3, first.equivalent.size());

@@ -23,8 +23,10 @@ namespace {
 
 /// Fits first without downweighting, since displaced corners have lost their weight.
 FitMinimum fitFrom(const Eigen::VectorXd& start, const FittedModel& fitted) {
-  Fit full = fitNearly(fitted.measurements, fitted.model, fitted.fit.noise, Loss{}, start);
-  return refit(fitted.measurements, fitted.model, fitted.fit.noise, fitted.fit.loss, std::move(full), nearly).minimum;
+  Fit full = fitForComparison(fitted.measurements, fitted.model, fitted.fit.noise, Loss{}, start);
+  return refit(fitted.measurements, fitted.model, fitted.fit.noise, fitted.fit.loss, std::move(full),
+               comparisonTolerance)
+      .minimum;
 }
 
 constexpr double millimetres = 1000; // per metre
@@ -35,17 +37,17 @@ bool isAfter(const RobotSample& instant, const Moment& moment) {
 }
 
 /// Displacement of a floor placement (x, y, yaw) from a moment on.
-Effect makeMove(EffectSite place, const Moment& moment) {
-  Effect effect{.name = place == EffectSite::board ? "boardMoved" : "robotMoved",
-                .what = {},
+Effect makeMove(PlaceKind place, const Moment& moment) {
+  Effect effect{.name = place == PlaceKind::board ? "boardMoved" : "robotMoved",
+                .description = {},
                 .formula = {},
-                .place = place,
+                .placeKind = place,
                 .unknowns = {{"x", "m", 0.02}, {"y", "m", 0.02}, {"yaw", "rad", 0.05}},
                 .correct = {}};
   effect.correct = [place, moment](ModelState& modelState, const RobotSample& instant, std::size_t at,
                                    std::span<const double> values) {
     if (isAfter(instant, moment)) {
-      auto placement = place == EffectSite::board ? modelState.boardPlacement(at) : modelState.worldFromSupport();
+      auto placement = place == PlaceKind::board ? modelState.boardPlacement(at) : modelState.worldFromSupport();
       placement[0] += values[0];
       placement[1] += values[1];
       placement[5] += values[2];
@@ -57,9 +59,9 @@ Effect makeMove(EffectSite place, const Moment& moment) {
 /// Camera rotation at the selected instants.
 Effect makeTurn(std::string name, std::function<bool(const RobotSample&)> when) {
   return {.name = std::move(name),
-          .what = {},
+          .description = {},
           .formula = {},
-          .place = EffectSite::camera,
+          .placeKind = PlaceKind::camera,
           .unknowns = {{"rx", "rad", 0.02}, {"ry", "rad", 0.02}, {"rz", "rad", 0.02}},
           .correct = [when = std::move(when)](ModelState& modelState, const RobotSample& instant, std::size_t,
                                               std::span<const double> values) {
@@ -82,9 +84,9 @@ Effect makeKnock(const Moment& moment) {
 /// Step of a joint reading from a moment on: slipped gear or encoder.
 Effect makeStep(const Moment& moment) {
   return {.name = "jointStepped",
-          .what = {},
+          .description = {},
           .formula = {},
-          .place = EffectSite::motor,
+          .placeKind = PlaceKind::motor,
           .unknowns = {{"step", "rad", 0.01}},
           .correct = [moment](ModelState& modelState, const RobotSample& instant, std::size_t joint,
                               std::span<const double> values) {
@@ -170,10 +172,10 @@ std::vector<TransientEvent> movesAt(std::size_t most, const Measurements& measur
   const Sightings all = collectSightings(measurements);
   // with a single board, a move is attributed to the robot; with a single camera, to the head
   addMoves(
-      ofSeveral(all.boards), [](const Moment& moment) { return makeMove(EffectSite::board, moment); },
+      ofSeveral(all.boards), [](const Moment& moment) { return makeMove(PlaceKind::board, moment); },
       [&](std::size_t at) { return "board " + measurements.targets[at].name; });
   addMoves(
-      all.stances, [](const Moment& moment) { return makeMove(EffectSite::stance, moment); },
+      all.stances, [](const Moment& moment) { return makeMove(PlaceKind::stance, moment); },
       [&](std::size_t at) { return "the robot in stance " + measurements.stances[at].name; });
   addMoves(ofSeveral(all.cameras), makeKnock,
            [&](std::size_t at) { return "camera " + measurements.robot.cameras[at].name; });
@@ -228,7 +230,7 @@ bool isSameThing(const TransientEvent& one, const TransientEvent& other) {
   if (!one.from || !other.from) {
     return !one.from && !other.from && one.who == other.who && one.where == other.where;
   }
-  return one.from->set == other.from->set && one.term.site == other.term.site &&
+  return one.from->set == other.from->set && one.term.placeIndex == other.term.placeIndex &&
          one.term.effect.name == other.term.effect.name;
 }
 
@@ -236,12 +238,12 @@ std::string describeEvent(const TransientEvent& event, const Eigen::VectorXd& va
   if (!event.from) {
     return fmt::format("{}{} {}", event.who, event.where, event.what);
   }
-  const EffectSite place = event.term.effect.place;
+  const PlaceKind place = event.term.effect.placeKind;
   const std::string how =
-      place == EffectSite::motor    ? fmt::format("{}'s zero changed by {:+.2f}°", event.who, degrees(values[0]))
-      : place == EffectSite::camera ? fmt::format("{} turned by {:.2f}°", event.who, degrees(values.norm()))
-                                    : fmt::format("{} moved by {:.0f} mm and {:.1f}°", event.who,
-                                                  millimetres * values.head<2>().norm(), degrees(std::abs(values[2])));
+      place == PlaceKind::motor    ? fmt::format("{}'s zero changed by {:+.2f}°", event.who, degrees(values[0]))
+      : place == PlaceKind::camera ? fmt::format("{} turned by {:.2f}°", event.who, degrees(values.norm()))
+                                   : fmt::format("{} moved by {:.0f} mm and {:.1f}°", event.who,
+                                                 millimetres * values.head<2>().norm(), degrees(std::abs(values[2])));
   const auto& [set, time, since, until] = *event.from;
   return fmt::format("{}, {:.1f} s after the first capture{} (between {:.1f} and {:.1f} s)", how, time, event.where,
                      since, until);

@@ -195,7 +195,7 @@ StepwiseSelection::StepwiseSelection(const Measurements& measurements, const Mod
   for (const Term& term : candidates_) {
     CandidateFinding& finding = findings_.emplace_back(CandidateFinding{.term = term});
     finding.evidence.bayes = -std::numeric_limits<double>::infinity();
-    if (const auto why = untestableReason(term.effect, term.site, measurements)) {
+    if (const auto why = untestableReason(term.effect, term.placeIndex, measurements)) {
       finding.state = CandidateState::noData;
       finding.why = *why;
     }
@@ -317,7 +317,7 @@ void StepwiseSelection::appendStep(const CandidateTests& candidateTests, const s
 }
 
 bool isTransient(const Effect& effect) {
-  return std::any_of(effect.needs.begin(), effect.needs.end(),
+  return std::any_of(effect.drivers.begin(), effect.drivers.end(),
                      [](Driver driver) { return driver == Driver::time || driver == Driver::temperature; });
 }
 
@@ -363,7 +363,7 @@ bool StepwiseSelection::predictsFurtherPoses(const CandidateTests& candidateTest
 }
 
 StepwiseSelection::Nearly StepwiseSelection::fitModelNearly(const Model& model, const Eigen::VectorXd& start) const {
-  const FitMinimum minimum = naocal::fitNearly(measurements_, model, fit_.noise, fit_.loss, start).minimum;
+  const FitMinimum minimum = naocal::fitForComparison(measurements_, model, fit_.noise, fit_.loss, start).minimum;
   return {minimum.linear.cost, minimum.state.unknowns};
 }
 
@@ -436,7 +436,7 @@ void StepwiseSelection::markEquivalent(const Term& chosen, const Term& other) {
 void StepwiseSelection::compareLimits(const Term& chosen) {
   for (const Term& other : candidates_) {
     const std::vector<std::string>& known = findingOf(chosen).equivalent;
-    if (other.site != chosen.site || other.effect.place != chosen.effect.place ||
+    if (other.placeIndex != chosen.placeIndex || other.effect.placeKind != chosen.effect.placeKind ||
         std::find(known.begin(), known.end(), other.label()) != known.end()) {
       continue;
     }

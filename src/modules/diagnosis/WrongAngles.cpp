@@ -41,9 +41,9 @@ struct Together {
 Effect makeDisplacement(std::size_t set, std::set<double> times) {
   constexpr double distance = 0.02, angle = 0.03;
   Effect effect{.name = "wrongAngles",
-                .what = {},
+                .description = {},
                 .formula = {},
-                .place = EffectSite::all,
+                .placeKind = PlaceKind::all,
                 .unknowns = {{"x", "m", distance},
                              {"y", "m", distance},
                              {"z", "m", distance},

@@ -22,12 +22,12 @@ struct Unknown {
       0; // plausible size: prior standard deviation, solver scale, finite-difference step, reference of `learned`
 };
 
-/// Kind of place where an effect acts (a place's index is called its site). A motor drives one joint, or both hip
-/// yaw-pitch joints. (Stances are sites of unknown placements only.)
-enum class EffectSite { motor, joint, camera, board, sole, length, all, stance };
+/// Kind of place where an effect acts. A motor drives one joint, or both hip yaw-pitch joints. (Stances are places of
+/// unknown placements only.)
+enum class PlaceKind { motor, joint, camera, board, sole, length, all, stance };
 
 /// Index of the place of a shared board effect: one set of unknowns for all boards.
-constexpr std::size_t allSites = std::numeric_limits<std::size_t>::max();
+constexpr std::size_t allPlaces = std::numeric_limits<std::size_t>::max();
 
 /// A driver at a joint other than the effect's own.
 struct RemoteDriver {
@@ -43,24 +43,24 @@ struct Limit {
 
 /// A physical cause of a difference between nominal model and picture.
 ///
-/// `correct` modifies the model state at an instant. Called once per joint of the motor for EffectSite::motor, once per
+/// `correct` modifies the model state at an instant. Called once per joint of the motor for PlaceKind::motor, once per
 /// board for a shared board effect, and otherwise only for pictures of that camera, board or stance, or on that sole.
 struct Effect {
-  std::string name;       // "jointOffset"
-  std::string alias = ""; // alternative accepted name
-  std::string what;       // one plain sentence for users
-  std::string formula;    // for users: "q_true = q_measured - o"
-  EffectSite place = EffectSite::motor;
+  std::string name;        // "jointOffset"
+  std::string alias = "";  // alternative accepted name
+  std::string description; // one plain sentence for users
+  std::string formula;     // for users: "q_true = q_measured - o"
+  PlaceKind placeKind = PlaceKind::motor;
   std::vector<Unknown> unknowns;
-  std::vector<Driver> needs = {};                 // drivers at the corrected joint
-  std::vector<RemoteDriver> elsewhere = {};       // drivers at other joints
-  std::vector<Limit> limits = {};                 // other effects at the ends of the plausible range of its unknowns
-  bool linear = true;                             // correction is linear in the unknowns
-  bool kink = false;                              // correction is not smooth in its drivers
-  bool base = false;                              // part of every model unless excluded
-  bool shared = false;                            // board effect that may be common to all boards
-  std::optional<std::size_t> only = std::nullopt; // user-defined effect at one joint: its motor
-  std::string definition = "";                    // user-defined effect: its JSON
+  std::vector<Driver> drivers = {};             // drivers at the corrected joint
+  std::vector<RemoteDriver> remoteDrivers = {}; // drivers at other joints
+  std::vector<Limit> limits = {};               // other effects at the ends of the plausible range of its unknowns
+  bool linear = true;                           // correction is linear in the unknowns
+  bool kink = false;                            // correction is not smooth in its drivers
+  bool inBaseModel = false;                     // part of every model unless excluded
+  bool shared = false;                          // board effect that may be common to all boards
+  std::optional<std::size_t> onlyAtMotor = std::nullopt; // user-defined effect at one joint: its motor
+  std::string definition = "";                           // user-defined effect: its JSON
   std::function<void(ModelState&, const RobotSample&, std::size_t at, std::span<const double> values)> correct;
 };
 

@@ -130,7 +130,7 @@ void requireNothingAtZero(const JsonCursor& place, const Expression& expression,
 
 Effect parseUserEffect(const JsonCursor& definition, const Robot& robot) {
   Names names = namesOf(robot);
-  Effect effect{.name = definition.at("name").text(), .place = EffectSite::motor, .linear = false, .kink = true};
+  Effect effect{.name = definition.at("name").text(), .placeKind = PlaceKind::motor, .linear = false, .kink = true};
   requireName(definition.at("name"), effect.name);
   const JsonCursor at = definition.at("at");
   if (at.text() != "*") {
@@ -143,7 +143,7 @@ Effect parseUserEffect(const JsonCursor& definition, const Robot& robot) {
       at.refuse("a joint or \"*\"",
                 fmt::format("\"{}\"; near it are {}", at.text(), fmt::join(closestNames(at.text(), joints), ", ")));
     }
-    effect.only = robot.joints[*joint].motor;
+    effect.onlyAtMotor = robot.joints[*joint].motor;
   }
   effect.unknowns = readUnknowns(definition.at("unknowns"), names);
   const JsonCursor correction = definition.at("correction");
@@ -151,15 +151,15 @@ Effect parseUserEffect(const JsonCursor& definition, const Robot& robot) {
   requireNothingAtZero(correction, expression, effect, robot);
   for (const ExpressionSymbol& name : expression.symbols()) {
     if (name.kind == ExpressionSymbol::Kind::elsewhere) {
-      effect.elsewhere.push_back({name.driver, name.index});
+      effect.remoteDrivers.push_back({name.driver, name.index});
     } else if (name.kind != ExpressionSymbol::Kind::unknown) {
-      effect.needs.push_back(name.driver);
+      effect.drivers.push_back(name.driver);
     }
   }
-  std::sort(effect.needs.begin(), effect.needs.end()); // com_x and com_y share one driver
-  effect.needs.erase(std::unique(effect.needs.begin(), effect.needs.end()), effect.needs.end());
+  std::sort(effect.drivers.begin(), effect.drivers.end()); // com_x and com_y share one driver
+  effect.drivers.erase(std::unique(effect.drivers.begin(), effect.drivers.end()), effect.drivers.end());
   const auto what = definition.find("what");
-  effect.what = what ? what->text() : "an effect of your own";
+  effect.description = what ? what->text() : "an effect of your own";
   effect.formula = "+" + correction.text();
   effect.definition = definition.value().dump();
   effect.correct = [expression](ModelState& modelState, const RobotSample& instant, std::size_t joint,

@@ -13,8 +13,8 @@ namespace {
 bool dependsOn(const Model& model, std::initializer_list<Driver> drivers) {
   const auto isOne = [&](Driver driver) { return std::find(drivers.begin(), drivers.end(), driver) != drivers.end(); };
   return std::any_of(model.terms().begin(), model.terms().end(), [&](const Term& term) {
-    return std::any_of(term.effect.needs.begin(), term.effect.needs.end(), isOne) ||
-           std::any_of(term.effect.elsewhere.begin(), term.effect.elsewhere.end(),
+    return std::any_of(term.effect.drivers.begin(), term.effect.drivers.end(), isOne) ||
+           std::any_of(term.effect.remoteDrivers.begin(), term.effect.remoteDrivers.end(),
                        [&](const RemoteDriver& other) { return isOne(other.driver); });
   });
 }
@@ -82,7 +82,7 @@ DriverState driveState(const Measurements& measurements, const Model& model, con
   for (Eigen::Index i = 0; i < offsets; ++i) {
     const Term& offset = model.terms()[model.offsets()[static_cast<std::size_t>(i)]];
     for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
-      if (robot.joints[joint].motor == offset.site) {
+      if (robot.joints[joint].motor == offset.placeIndex) {
         result.instant.q[eigenIndex(joint)] -= unknowns[eigenIndex(offset.first)];
         result.angleByOffset(eigenIndex(joint), i) = -1;
       }

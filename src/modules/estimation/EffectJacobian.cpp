@@ -13,8 +13,8 @@ namespace {
 
 /// Drivers of a correction that depend on the offsets.
 std::vector<RemoteDriver> drivers(const Effect& effect, std::size_t place) {
-  std::vector<RemoteDriver> looks = effect.elsewhere, result;
-  for (const Driver driver : effect.needs) {
+  std::vector<RemoteDriver> looks = effect.remoteDrivers, result;
+  for (const Driver driver : effect.drivers) {
     looks.push_back({driver, place});
   }
   for (const RemoteDriver& look : looks) {
@@ -144,7 +144,7 @@ EffectJacobian::EffectJacobian(const Measurements& measurements, const Model& mo
   ModelState modelState = picture.nominal;
   std::vector<Varying> varying;
   for (std::size_t term = 0; term < model.terms().size(); ++term) {
-    for (const std::size_t place : sitesOn(model.terms()[term], measurements, picture)) {
+    for (const std::size_t place : placesOn(model.terms()[term], measurements, picture)) {
       Varying found = correction(model, picture, term, place, modelState, inGeneral);
       if (std::any_of(found.quantities.begin(), found.quantities.end(), std::cref(visible))) {
         varying.push_back(std::move(found));
@@ -198,7 +198,7 @@ EffectJacobian::Varying EffectJacobian::correction(const Model& model, const Ima
 void EffectJacobian::listSlopes(const Robot& robot, const Model& model, Varying varying) {
   const Term& term = model.terms()[varying.term];
   for (std::size_t i = 0; i < model.offsets().size(); ++i) {
-    const std::size_t motor = model.terms()[model.offsets()[i]].site;
+    const std::size_t motor = model.terms()[model.offsets()[i]].placeIndex;
     if (std::any_of(varying.drivers.begin(), varying.drivers.end(), [&](const RemoteDriver& driver) {
           return driver.driver != Driver::angle || robot.joints[driver.joint].motor == motor;
         })) {

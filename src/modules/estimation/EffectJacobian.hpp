@@ -46,7 +46,7 @@ public:
 
 private:
   struct Varying {
-    std::size_t term, at;                // index of the term, and one of its sites
+    std::size_t term, at;                // index of the term, and one of its places
     std::vector<std::size_t> quantities; // quantities it corrects
     std::vector<RemoteDriver> drivers;   // its drivers that depend on offsets (com: x at 0, y at 1)
     std::vector<std::size_t> offsets;    // those offsets, as indices into the model's

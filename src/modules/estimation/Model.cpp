@@ -80,22 +80,22 @@ bool isStanceSole(const Sole& sole, SupportFoot foot) {
   return foot == SupportFoot::right ? sole.name == "right" : foot != SupportFoot::none && sole.name == "left";
 }
 
-std::vector<std::size_t> sitesOn(const Term& term, const Measurements& measurements, const ImageObservation& picture) {
+std::vector<std::size_t> placesOn(const Term& term, const Measurements& measurements, const ImageObservation& picture) {
   const Robot& robot = measurements.robot;
   const auto only = [&](bool concerned) {
-    return concerned ? std::vector<std::size_t>{term.site} : std::vector<std::size_t>{};
+    return concerned ? std::vector<std::size_t>{term.placeIndex} : std::vector<std::size_t>{};
   };
   std::vector<std::size_t> result;
-  switch (term.effect.place) {
-  case EffectSite::motor:
+  switch (term.effect.placeKind) {
+  case PlaceKind::motor:
     for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
-      if (robot.joints[joint].motor == term.site) {
+      if (robot.joints[joint].motor == term.placeIndex) {
         result.push_back(joint);
       }
     }
     return result;
-  case EffectSite::board:
-    if (term.site != allSites) {
+  case PlaceKind::board:
+    if (term.placeIndex != allPlaces) {
       return only(true);
     }
     for (std::size_t board = 0; board < measurements.targets.size(); ++board) {
@@ -104,15 +104,15 @@ std::vector<std::size_t> sitesOn(const Term& term, const Measurements& measureme
       }
     }
     return result;
-  case EffectSite::camera:
-    return only(term.site == picture.camera);
-  case EffectSite::stance:
-    return only(term.site == picture.stance);
-  case EffectSite::sole:
-    return only(isStanceSole(robot.soles[term.site], picture.instant.supportFoot));
-  case EffectSite::joint:
-  case EffectSite::length:
-  case EffectSite::all:
+  case PlaceKind::camera:
+    return only(term.placeIndex == picture.camera);
+  case PlaceKind::stance:
+    return only(term.placeIndex == picture.stance);
+  case PlaceKind::sole:
+    return only(isStanceSole(robot.soles[term.placeIndex], picture.instant.supportFoot));
+  case PlaceKind::joint:
+  case PlaceKind::length:
+  case PlaceKind::all:
     break;
   }
   return only(true);
@@ -123,7 +123,7 @@ ModelState predictState(const Measurements& measurements, const Model& model, co
   const RobotSample instant = sampleAt(measurements, model, picture, unknowns);
   ModelState modelState = picture.nominal;
   for (const Term& term : model.terms()) {
-    for (std::size_t at : sitesOn(term, measurements, picture)) {
+    for (std::size_t at : placesOn(term, measurements, picture)) {
       term.effect.correct(modelState, instant, at, term.values(unknowns));
     }
   }

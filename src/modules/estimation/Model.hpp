@@ -11,16 +11,17 @@
 
 namespace naocal {
 
-/// An effect at a site, with its range in the vector of unknowns.
+/// An effect at a place, with its range in the vector of unknowns.
 struct Term {
   Effect effect;
-  std::size_t site = 0;  // index of motor's joint, joint, camera, target, sole, length or stance; 0 for EffectSite::all
-  std::string place;     // name of the site
+  std::size_t placeIndex =
+      0;                 // index of motor's joint, joint, camera, target, sole, length or stance; 0 for PlaceKind::all
+  std::string placeName; // LKneePitch
   std::size_t first = 0; // index of its first unknown
   bool isPlacement = false; // placement of a board or stance: an unknown, but not physical
   bool requested = true;    // false: an offset added only because torques depend on it
 
-  std::string label() const { return effect.name + "@" + place; }
+  std::string label() const { return effect.name + "@" + placeName; }
   std::span<const double> values(const Eigen::VectorXd& unknowns) const {
     return {unknowns.data() + first, effect.unknowns.size()};
   }
@@ -28,7 +29,7 @@ struct Term {
   Eigen::VectorXd sigmas() const;
 };
 
-/// The unknowns to estimate: effects at sites, then placements.
+/// The unknowns to estimate: effects at places, then placements.
 class Model {
 public:
   void add(Term term);
@@ -65,8 +66,8 @@ bool isOnLeg(const Robot& robot, std::size_t joint);
 bool isStanceSole(const Sole& sole, SupportFoot foot);
 
 /// Sites that a term corrects in a picture: each joint driven by its motor, each board for a shared effect, or its
-/// single site. Empty if the picture does not involve it.
-std::vector<std::size_t> sitesOn(const Term& term, const Measurements& measurements, const ImageObservation& picture);
+/// single place. Empty if the picture does not involve it.
+std::vector<std::size_t> placesOn(const Term& term, const Measurements& measurements, const ImageObservation& picture);
 
 /// Transfers unknowns to another model by name; new unknowns are zero.
 Eigen::VectorXd mapParameters(const Model& from, const Eigen::VectorXd& unknowns, const Model& to);

@@ -70,33 +70,33 @@ template <typename List> NamedPlaces namePlaces(const std::set<std::size_t>& num
 
 /// Sites where an effect can act in these captures, as (index, name): motors and joints between a camera and a target,
 /// lengths on such a path, cameras with observations, observed boards with a printed pattern, soles that were stood on.
-/// A shared board effect also has the site `allSites` ("all") with several boards.
+/// A shared board effect also has the place `allPlaces` ("all") with several boards.
 NamedPlaces candidateSites(const Effect& effect, const Measurements& measurements, const Touched& touched) {
   const Robot& robot = measurements.robot;
-  switch (effect.place) {
-  case EffectSite::motor: {
+  switch (effect.placeKind) {
+  case PlaceKind::motor: {
     NamedPlaces result = namePlaces(touched.motors, robot.joints);
-    std::erase_if(result, [&](const auto& place) { return effect.only && place.first != *effect.only; });
+    std::erase_if(result, [&](const auto& place) { return effect.onlyAtMotor && place.first != *effect.onlyAtMotor; });
     return result;
   }
-  case EffectSite::joint:
+  case PlaceKind::joint:
     return namePlaces(touched.joints, robot.joints);
-  case EffectSite::camera:
+  case PlaceKind::camera:
     return namePlaces(touched.cameras, robot.cameras);
-  case EffectSite::board: {
+  case PlaceKind::board: {
     NamedPlaces result = namePlaces(touched.boards, measurements.targets);
     if (effect.shared && result.size() > 1) {
-      result.emplace_back(allSites, "all");
+      result.emplace_back(allPlaces, "all");
     }
     return result;
   }
-  case EffectSite::sole:
+  case PlaceKind::sole:
     return namePlaces(touched.soles, robot.soles);
-  case EffectSite::length:
+  case PlaceKind::length:
     return namePlaces(touched.lengths, robot.lengths);
-  case EffectSite::all:
+  case PlaceKind::all:
     return {{0, "all"}};
-  case EffectSite::stance:
+  case PlaceKind::stance:
     break;
   }
   return {};
@@ -143,7 +143,7 @@ bool matches(std::string_view pattern, std::string_view text) {
 
 [[noreturn]] void refuse(const std::string& wanted, const std::vector<std::string>& known) {
   const std::string_view effect = std::string_view{wanted}.substr(0, wanted.find('@'));
-  std::vector<std::string> places; // sites of that effect
+  std::vector<std::string> places; // places of that effect
   std::copy_if(known.begin(), known.end(), std::back_inserter(places),
                [&](const std::string& label) { return std::string_view{label}.substr(0, label.find('@')) == effect; });
   if (places.empty()) {
@@ -167,8 +167,8 @@ struct Pattern {
 
   /// A motor's effect matches under either of its joints; '*' does not match "all".
   bool names(const Term& term, const Robot& robot) const {
-    const std::string motors = term.effect.place == EffectSite::motor ? labelFor(given, robot) : given;
-    const bool onePlace = term.effect.place == EffectSite::board && term.site == allSites;
+    const std::string motors = term.effect.placeKind == PlaceKind::motor ? labelFor(given, robot) : given;
+    const bool onePlace = term.effect.placeKind == PlaceKind::board && term.placeIndex == allPlaces;
     return onePlace ? matches(motors.substr(0, motors.find('@')), term.effect.name) && motors.ends_with("@all")
                     : matches(motors, term.label());
   }
@@ -214,8 +214,8 @@ void refuseUnused(const std::vector<Pattern>& patterns, const std::vector<std::s
 
 bool looksAtWeight(const Term& term) {
   const auto weighs = [](Driver driver) { return driver == Driver::torque || driver == Driver::com; };
-  return std::any_of(term.effect.needs.begin(), term.effect.needs.end(), weighs) ||
-         std::any_of(term.effect.elsewhere.begin(), term.effect.elsewhere.end(),
+  return std::any_of(term.effect.drivers.begin(), term.effect.drivers.end(), weighs) ||
+         std::any_of(term.effect.remoteDrivers.begin(), term.effect.remoteDrivers.end(),
                      [&](const RemoteDriver& other) { return weighs(other.driver); });
 }
 
@@ -231,13 +231,13 @@ std::vector<Term> weighingOffsets(const Measurements& measurements) {
 }
 
 /// Additive correction of linkFromBoard or worldFromSole; unknowns are named after the placement's components.
-Effect placementEffect(EffectSite place, const std::vector<std::size_t>& numbers, const std::vector<double>& sigmas) {
+Effect placementEffect(PlaceKind place, const std::vector<std::size_t>& numbers, const std::vector<double>& sigmas) {
   static const std::vector<Unknown> all{{"x", "m", 0},      {"y", "m", 0},       {"z", "m", 0},
                                         {"roll", "rad", 0}, {"pitch", "rad", 0}, {"yaw", "rad", 0}};
-  Effect effect{.name = place == EffectSite::board ? effectName::boardPlacement : effectName::stancePlacement,
-                .what = "where it lies or stands",
+  Effect effect{.name = place == PlaceKind::board ? effectName::boardPlacement : effectName::stancePlacement,
+                .description = "where it lies or stands",
                 .formula = "placement = start + (x, y, z, roll, pitch, yaw)",
-                .place = place,
+                .placeKind = place,
                 .unknowns = {},
                 .correct = {}};
   for (std::size_t i = 0; i < numbers.size(); ++i) {
@@ -248,7 +248,7 @@ Effect placementEffect(EffectSite place, const std::vector<std::size_t>& numbers
                                     std::span<const double> values) {
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       const auto number = static_cast<Eigen::Index>(numbers[i]);
-      (place == EffectSite::board ? modelState.boardPlacement(at) : modelState.worldFromSupport())[number] += values[i];
+      (place == PlaceKind::board ? modelState.boardPlacement(at) : modelState.worldFromSupport())[number] += values[i];
     }
   };
   return effect;
@@ -276,7 +276,7 @@ void addBoardPlacement(const Measurements& measurements, std::size_t index, Mode
     }
   }
   sigmas.resize(numbers.size());
-  model.add({placementEffect(EffectSite::board, numbers, sigmas), index, target.name, 0, true});
+  model.add({placementEffect(PlaceKind::board, numbers, sigmas), index, target.name, 0, true});
 }
 
 /// Adds unknown placements of boards and stances that the pictures depend on. On the floor: x, y, yaw; on a link: all
@@ -298,7 +298,7 @@ void addPlacementTerms(const Measurements& measurements, Model& model) {
   }
   for (std::size_t standing : stood) {
     if (measurements.stances[standing].unknown) {
-      model.add({placementEffect(EffectSite::stance, {0, 1, 5}, {anywhere, anywhere, anyDirection}), standing,
+      model.add({placementEffect(PlaceKind::stance, {0, 1, 5}, {anywhere, anywhere, anyDirection}), standing,
                  measurements.stances[standing].name, 0, true});
     }
   }
@@ -308,13 +308,13 @@ void addPlacementTerms(const Measurements& measurements, Model& model) {
 std::vector<std::size_t> jointsToRead(const Term& term, const Measurements& measurements,
                                       const ImageObservation& picture) {
   const Effect& effect = term.effect;
-  const std::vector<std::size_t> places = sitesOn(term, measurements, picture);
-  const bool shares = effect.place == EffectSite::sole && picture.instant.supportFoot == SupportFoot::both;
+  const std::vector<std::size_t> places = placesOn(term, measurements, picture);
+  const bool shares = effect.placeKind == PlaceKind::sole && picture.instant.supportFoot == SupportFoot::both;
   if (picture.observations.empty() || places.empty() || shares) {
     return {};
   }
   std::vector<std::size_t> joints = observedJoints(measurements.robot, picture);
-  if (effect.place == EffectSite::motor || effect.place == EffectSite::joint) {
+  if (effect.placeKind == PlaceKind::motor || effect.placeKind == PlaceKind::joint) {
     std::erase_if(joints,
                   [&](std::size_t joint) { return std::find(places.begin(), places.end(), joint) == places.end(); });
   }
@@ -329,11 +329,11 @@ const char* missingInput(const Effect& effect, const std::vector<std::size_t>& j
     lacks = lacks ? lacks : missingInput(picture.instant, driver, joint, measurements.robot);
   };
   for (const std::size_t joint : joints) {
-    for (const Driver driver : effect.needs) {
+    for (const Driver driver : effect.drivers) {
       look(driver, joint);
     }
   }
-  for (const RemoteDriver& other : effect.elsewhere) {
+  for (const RemoteDriver& other : effect.remoteDrivers) {
     look(other.driver, other.joint);
     const bool recorded = std::binary_search(measurements.recordedMotors.begin(), measurements.recordedMotors.end(),
                                              measurements.robot.joints[other.joint].motor);
@@ -345,7 +345,7 @@ const char* missingInput(const Effect& effect, const std::vector<std::size_t>& j
 } // namespace
 
 std::optional<std::string> untestableReason(const Effect& effect, std::size_t at, const Measurements& measurements) {
-  if (effect.needs.empty() && effect.elsewhere.empty()) {
+  if (effect.drivers.empty() && effect.remoteDrivers.empty()) {
     return std::nullopt;
   }
   const Term term{effect, at, ""};
@@ -361,7 +361,7 @@ std::optional<std::string> untestableReason(const Effect& effect, std::size_t at
     }
   }
   if (concerned == 0) {
-    return effect.place == EffectSite::sole ? "no picture was taken on one foot" : "no picture shows it";
+    return effect.placeKind == PlaceKind::sole ? "no picture was taken on one foot" : "no picture shows it";
   }
   const bool whereRecorded = effect.name == "imuTilt"; // each reading is a separate measurement
   if (without == 0 || (whereRecorded && without < concerned)) {
@@ -386,7 +386,7 @@ std::vector<Term> testableTerms(const Measurements& measurements, const Model& m
                                 const std::vector<Effect>& effects) {
   std::vector<Term> result = candidateTerms(measurements, effects);
   std::erase_if(result, [&](const Term& term) {
-    return untestableReason(term.effect, term.site, measurements) ||
+    return untestableReason(term.effect, term.placeIndex, measurements) ||
            std::any_of(model.terms().begin(), model.terms().end(),
                        [&](const Term& own) { return own.label() == term.label(); });
   });
@@ -432,8 +432,8 @@ Model buildModel(const Measurements& measurements, const std::vector<std::string
     if (anyNames(removed, term, robot)) {
       mark(removed, term, robot);
       mark(added, term, robot);
-    } else if (term.effect.base || anyNames(added, term, robot)) {
-      const auto undriven = untestableReason(term.effect, term.site, measurements);
+    } else if (term.effect.inBaseModel || anyNames(added, term, robot)) {
+      const auto undriven = untestableReason(term.effect, term.placeIndex, measurements);
       mark(added, term, robot, undriven);
       if (!undriven) {
         chosen.push_back(std::move(term));

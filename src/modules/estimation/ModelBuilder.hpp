@@ -16,11 +16,11 @@ namespace naocal {
 Model buildModel(const Measurements& measurements, const std::vector<std::string>& with = {},
                  const std::vector<std::string>& without = {}, const std::vector<Effect>& effects = allEffects());
 
-/// Reason why these captures cannot drive an effect at a site, such as "no temperatures were recorded"; absent if they
+/// Reason why these captures cannot drive an effect at a place, such as "no temperatures were recorded"; absent if they
 /// can.
 std::optional<std::string> untestableReason(const Effect& effect, std::size_t at, const Measurements& measurements);
 
-/// Every effect at every site where it can act in these captures, driven or not.
+/// Every effect at every place where it can act in these captures, driven or not.
 std::vector<Term> candidateTerms(const Measurements& measurements, const std::vector<Effect>& effects = allEffects());
 
 /// Candidate terms that these captures can drive and the model lacks.

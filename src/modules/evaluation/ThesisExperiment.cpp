@@ -309,7 +309,7 @@ void ThesisExperiment::look(const ImageObservation& all, const Eigen::VectorXd& 
   }
   for (std::size_t term = joints().size(); term < model_.terms().size(); ++term) { // mounts and places
     const Term& other = model_.terms()[term];
-    for (const std::size_t place : sitesOn(other, everything_, all)) {
+    for (const std::size_t place : placesOn(other, everything_, all)) {
       other.effect.correct(real, all.instant, place, other.values(truth));
     }
   }
@@ -367,7 +367,7 @@ Model makeExperimentModel(const ThesisExperiment& stage, double offsetSigma, dou
   for (Term term : stage.model().terms()) {
     for (Unknown& unknown : term.effect.unknowns) {
       if (!term.isPlacement) {
-        unknown.sigma = term.effect.place == EffectSite::camera ? mountSigma : offsetSigma;
+        unknown.sigma = term.effect.placeKind == PlaceKind::camera ? mountSigma : offsetSigma;
       }
     }
     result.add(std::move(term));

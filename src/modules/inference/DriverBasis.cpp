@@ -176,9 +176,9 @@ double valueAt(const RobotSample& instant, Driver kind, std::size_t joint) {
 
 Effect makeTurnEffect(const DriverSeries& driver, const DriverBasis& cell) {
   Effect effect{.name = "mountTurns",
-                .what = {},
+                .description = {},
                 .formula = {},
-                .place = EffectSite::camera,
+                .placeKind = PlaceKind::camera,
                 .unknowns = {},
                 .correct = [kind = driver.kind, joint = driver.joint, cell](ModelState& modelState,
                                                                             const RobotSample& instant, std::size_t,

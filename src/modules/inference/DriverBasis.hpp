@@ -114,7 +114,7 @@ struct MountCurve {
   Term term;        // coefficients of the first column about x, y, z, then of the second [rad]
   DriverBasis cell; // basis of each component
 
-  std::size_t camera() const { return term.site; }
+  std::size_t camera() const { return term.placeIndex; }
 };
 
 /// The cameras' part of the map: every mount over time and over the angles of the joints that carry it. At most two

@@ -18,7 +18,7 @@ namespace {
 Eigen::VectorXd priorsOf(const Model& model, const Eigen::VectorXd& unknowns) {
   Eigen::VectorXd sigmas = model.sigmas();
   for (const Term& term : model.terms()) {
-    if (!term.effect.base) {
+    if (!term.effect.inBaseModel) {
       for (Eigen::Index i = eigenIndex(term.first); i < eigenIndex(term.first + term.effect.unknowns.size()); ++i) {
         sigmas[i] = std::max(sigmas[i], std::abs(unknowns[i]) / threshold::implausible);
       }

@@ -77,7 +77,7 @@ std::map<std::string, double> offsetSigmas(const Model& model, const Eigen::Matr
     const Term& term = model.terms()[offset];
     const auto at = static_cast<Eigen::Index>(term.first);
     if (term.requested) {
-      result[term.place] = std::sqrt(covariance(at, at));
+      result[term.placeName] = std::sqrt(covariance(at, at));
     }
   }
   return result;

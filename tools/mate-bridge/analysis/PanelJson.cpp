@@ -102,7 +102,7 @@ Json compensationJson(const FittedModel& fitted) {
   for (const Term& term : fitted.model.terms()) {
     if (term.effect.name == effectName::cameraRotation) {
       const Eigen::Vector3d rotation = fitted.fit.unknowns.segment<3>(eigenIndex(term.first));
-      mounts.push_back({{"camera", term.place}, {"rotation", {rotation.x(), rotation.y(), rotation.z()}}});
+      mounts.push_back({{"camera", term.placeName}, {"rotation", {rotation.x(), rotation.y(), rotation.z()}}});
     }
   }
   return {{"offsets", std::move(offsets)}, {"untold", std::move(untold)}, {"mounts", std::move(mounts)}};
@@ -148,7 +148,7 @@ Json effectsJson(const std::vector<Effect>& effects) {
       unknowns.push_back({{"name", unknown.name}, {"unit", unit}, {"sigma", scale * unknown.sigma}});
     }
     list.push_back({{"name", effect.name},
-                    {"what", effect.what},
+                    {"what", effect.description},
                     {"formula", effect.formula},
                     {"own", !effect.definition.empty()},
                     {"unknowns", std::move(unknowns)}});

@@ -60,7 +60,7 @@ std::pair<std::size_t, std::size_t> printTruth(const Truth& truth, const Model& 
   for (const Term& term : model.terms()) {
     for (std::size_t i = 0; i < term.effect.unknowns.size() && term.requested; ++i) {
       const Unknown& unknown = term.effect.unknowns[i];
-      const auto value = truth.value(term.effect.name, term.place, unknown.name);
+      const auto value = truth.value(term.effect.name, term.placeName, unknown.name);
       if (!value) {
         continue;
       }
@@ -71,7 +71,7 @@ std::pair<std::size_t, std::size_t> printTruth(const Truth& truth, const Model& 
       inside += isInside;
       const auto [unit, scale] = displayUnit(unknown.unit);
       fmt::print("  {:<34} {:>9.3f}{:<6} {:>9.3f}    {:>8.3f}{}\n",
-                 term.effect.name == effectName::jointOffset ? term.place : term.label() + " " + unknown.name,
+                 term.effect.name == effectName::jointOffset ? term.placeName : term.label() + " " + unknown.name,
                  scale * *value, appendUnit("", unit), scale * estimate.best(), scale * estimate.bestSigma(),
                  isInside ? "" : "  outside 95 %");
     }

@@ -19,22 +19,22 @@ struct EffectsCommand {
 };
 
 const char* places(const Effect& effect) {
-  switch (effect.place) {
-  case EffectSite::motor:
-    return effect.only ? "one joint" : "joint";
-  case EffectSite::joint:
+  switch (effect.placeKind) {
+  case PlaceKind::motor:
+    return effect.onlyAtMotor ? "one joint" : "joint";
+  case PlaceKind::joint:
     return "joint (each hip yaw-pitch)";
-  case EffectSite::camera:
+  case PlaceKind::camera:
     return "top, bottom";
-  case EffectSite::board:
+  case PlaceKind::board:
     return effect.shared ? "board id, or all" : "board id";
-  case EffectSite::sole:
+  case PlaceKind::sole:
     return "left, right (soles)";
-  case EffectSite::length:
+  case PlaceKind::length:
     return "neckZ, hipZ, hipY, thigh, tibia, footZ";
-  case EffectSite::all:
+  case PlaceKind::all:
     return "all";
-  case EffectSite::stance:
+  case PlaceKind::stance:
     break;
   }
   return "stance";
@@ -73,12 +73,12 @@ std::vector<std::string> neededKeys(const Effect& effect, const Robot& robot) {
       result.push_back(needed);
     }
   };
-  for (const Driver driver : effect.needs) {
+  for (const Driver driver : effect.drivers) {
     if (const char* const needed = key(driver)) {
       add(needed);
     }
   }
-  for (const RemoteDriver& other : effect.elsewhere) {
+  for (const RemoteDriver& other : effect.remoteDrivers) {
     add("joints.measured of " + robot.joints[other.joint].name);
     if (const char* const needed = key(other.driver)) {
       add(needed);
@@ -95,7 +95,7 @@ nlohmann::json effectsJson(const std::vector<Effect>& effects, const Robot& robo
       unknowns[unknown.name] = {{"unit", unknown.unit}, {"sigma", unknown.sigma}};
     }
     list.push_back({{"effect", effect.name},
-                    {"what", effect.what},
+                    {"what", effect.description},
                     {"at", places(effect)},
                     {"formula", effect.formula},
                     {"unknowns", std::move(unknowns)},
@@ -115,8 +115,8 @@ void print(const Effect& effect, const Robot& robot) {
         fmt::format("{} ± {:g}{}", unknown.name, unknown.sigma, unknown.unit == "1" ? "" : " " + unknown.unit));
   }
   const std::vector<std::string> needs = neededKeys(effect, robot);
-  fmt::print("{}\n  {}\n  {:<9} {}\n  {:<9} {}\n  {:<9} {}\n", effect.name, effect.what, "formula", effect.formula,
-             "at", places(effect), "unknowns", fmt::join(unknowns, ", "));
+  fmt::print("{}\n  {}\n  {:<9} {}\n  {:<9} {}\n  {:<9} {}\n", effect.name, effect.description, "formula",
+             effect.formula, "at", places(effect), "unknowns", fmt::join(unknowns, ", "));
   if (!effect.alias.empty()) {
     fmt::print("  {:<9} {}\n", "alias", effect.alias);
   }

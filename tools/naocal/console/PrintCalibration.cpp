@@ -28,8 +28,9 @@ void printEstimates(const Model& model, const CalibrationResult& result) {
       const Unknown& unknown = term.effect.unknowns[i];
       const Estimate& estimate = result.estimates[term.first + i];
       const auto [unit, scale] = displayUnit(unknown.unit);
-      const std::string name =
-          term.effect.name == effectName::jointOffset ? term.place : fmt::format("{} {}", term.label(), unknown.name);
+      const std::string name = term.effect.name == effectName::jointOffset
+                                   ? term.placeName
+                                   : fmt::format("{} {}", term.label(), unknown.name);
       fmt::print("  {:<38} {:>10.4f} {:<4}  {:>8.4f} {:<4}  {:>3.0f} % {}\n", name, scale * estimate.best(), unit,
                  scale * estimate.bestSigma(), unit, 100 * estimate.learned, bar(estimate.learned));
     }

@@ -128,7 +128,7 @@ std::vector<EffectSignature> computeSignatures(const FittedModel& fitted, const 
     for (std::size_t i = 0; i < candidates.size(); ++i) {
       const Term& term = candidateTests.candidates()[candidates[i]];
       ModelState flawed = plain;
-      for (std::size_t at : sitesOn(term, fitted.measurements, picture)) {
+      for (std::size_t at : placesOn(term, fitted.measurements, picture)) {
         term.effect.correct(flawed, instant, at, {result[i].size.data(), term.effect.unknowns.size()});
       }
       const ModelState followed = predictState(fitted.measurements, fitted.model, picture, refitted[i]);

@@ -1,5 +1,6 @@
 #include "diagnosis/views/ResidualField.hpp"
 
+#include "calibration/Fit.hpp"
 #include "estimation/DriverState.hpp"
 #include "math/LinearAlgebra.hpp"
 
@@ -17,7 +18,6 @@ namespace {
 
 constexpr int cellsAcross = 12, cellsDown = 9; // per picture
 constexpr std::size_t fewest = 5;              // corners of a displayed cell
-constexpr double trusted = 0.7;                // loss weight from which a corner counts
 
 /// The observations of one picture, without those behind the camera.
 using Observations = std::vector<const BoardResidual*>;
@@ -53,11 +53,11 @@ struct CellSums {
   }
 };
 
-/// Number of trusted corners. With three, the picture's motion fits everything.
+/// Number of corners that are no outliers. With three, the picture's motion fits everything.
 double trustedCorners(const Observations& picture) {
   double count = 0;
   for (const BoardResidual* observation : picture) {
-    count += static_cast<double>((observation->weight.array() >= trusted).count());
+    count += static_cast<double>((observation->weight.array() >= outlierWeight).count());
   }
   return count;
 }
@@ -86,13 +86,13 @@ std::size_t part(double x, int size, int parts) {
   return static_cast<std::size_t>(std::clamp(static_cast<int>(x / size * parts), 0, parts - 1));
 }
 
-/// Adds an observation's trusted corners to their cells; returns their number and sum of squares [px^2].
+/// Adds an observation's corners that are no outliers to their cells; returns their number and sum of squares [px^2].
 std::pair<double, double> addCorners(const BoardResidual& observation, const Eigen::Matrix2Xd& errors,
                                      std::size_t camera, const CameraIntrinsics& lens,
                                      std::map<CellPlace, CellSums>& cells) {
   double count = 0, squares = 0;
   for (Eigen::Index i = 0; i < errors.cols(); ++i) {
-    if (observation.weight[i] >= trusted) {
+    if (observation.weight[i] >= outlierWeight) {
       const Eigen::Vector2d seen = observation.predicted.col(i) + observation.residual.col(i);
       cells[{camera, part(seen.x(), lens.width, cellsAcross), part(seen.y(), lens.height, cellsDown)}].add(
           seen, errors.col(i), observation.picture);

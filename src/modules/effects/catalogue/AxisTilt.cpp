@@ -21,9 +21,9 @@ std::pair<Eigen::Vector3d, Eigen::Vector3d> tiltAxes(const Eigen::Vector3d& axis
 /// mm.
 Effect axisTilt() {
   return {.name = "axisTilt",
-          .what = "the joint's axis is tilted against the drawing",
+          .description = "the joint's axis is tilted against the drawing",
           .formula = "axis = R_n1(alpha) * R_n2(beta) * drawn axis",
-          .place = EffectSite::joint,
+          .placeKind = PlaceKind::joint,
           .unknowns = {{"alpha", "rad", 0.01}, {"beta", "rad", 0.01}},
           .linear = false,
           .correct = [](ModelState& modelState, const RobotSample&, std::size_t joint, std::span<const double> values) {

@@ -8,11 +8,11 @@ namespace naocal {
 /// have gaps of several tenths of a degree.
 Effect backlash() {
   return {.name = "backlash",
-          .what = "the gear's gap: gravity holds the joint at one end of it",
+          .description = "the gear's gap: gravity holds the joint at one end of it",
           .formula = "+(D/2) * sgn(tau)",
-          .place = EffectSite::motor,
+          .placeKind = PlaceKind::motor,
           .unknowns = {{"D", "rad", 0.01}},
-          .needs = {Driver::torque},
+          .drivers = {Driver::torque},
           .kink = true,
           .correct = [](ModelState& modelState, const RobotSample& instant, std::size_t joint,
                         std::span<const double> values) {

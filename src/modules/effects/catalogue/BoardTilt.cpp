@@ -5,9 +5,9 @@ namespace naocal {
 /// The board does not lie flat on the floor. 0.01 rad: 6 mm under one end of an A2 board.
 Effect boardTilt() {
   return {.name = "boardTilt",
-          .what = "the board does not lie flat",
+          .description = "the board does not lie flat",
           .formula = "worldFromBoard = placement * Ry(pitch) * Rx(roll)",
-          .place = EffectSite::board,
+          .placeKind = PlaceKind::board,
           .unknowns = {{"roll", "rad", 0.01}, {"pitch", "rad", 0.01}},
           .correct = [](ModelState& modelState, const RobotSample&, std::size_t board, std::span<const double> values) {
             modelState.boardPlacement(board).segment<2>(3) += Eigen::Vector2d{values[0], values[1]};

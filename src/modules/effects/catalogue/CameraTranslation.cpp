@@ -5,9 +5,9 @@ namespace naocal {
 /// The camera is shifted in the head frame.
 Effect cameraTranslation() {
   return {.name = "cameraTranslation",
-          .what = "the camera sits shifted in the head",
+          .description = "the camera sits shifted in the head",
           .formula = "headFromCamera = T(x, y, z) * nominal",
-          .place = EffectSite::camera,
+          .placeKind = PlaceKind::camera,
           .unknowns = {{"x", "m", 0.005}, {"y", "m", 0.005}, {"z", "m", 0.005}},
           .correct = [](ModelState& modelState, const RobotSample&, std::size_t, std::span<const double> values) {
             modelState.mountTranslation() += Eigen::Vector3d{values[0], values[1], values[2]};

@@ -12,11 +12,11 @@ namespace naocal {
 Effect elasticity() {
   return {.name = effectName::elasticity,
           .alias = "spring",
-          .what = "the joint gives way under load like a spring",
+          .description = "the joint gives way under load like a spring",
           .formula = "+delta, delta = c * tau(q + delta)",
-          .place = EffectSite::motor,
+          .placeKind = PlaceKind::motor,
           .unknowns = {{"c", "rad/Nm", 0.01}},
-          .needs = {Driver::torque, Driver::torqueGrowth},
+          .drivers = {Driver::torque, Driver::torqueGrowth},
           .linear = false,
           .correct = [](ModelState& modelState, const RobotSample& instant, std::size_t joint,
                         std::span<const double> values) {

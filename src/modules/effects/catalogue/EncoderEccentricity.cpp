@@ -7,11 +7,11 @@ namespace naocal {
 /// The encoder's magnet rotates off centre: an error with one period per turn. 0.005 rad: 0.1 mm at a radius of 20 mm.
 Effect encoderEccentricity() {
   return {.name = "encoderEccentricity",
-          .what = "the encoder's magnet turns off its centre: an error with one period per turn",
+          .description = "the encoder's magnet turns off its centre: an error with one period per turn",
           .formula = "+a * sin(q) + b * cos(q)",
-          .place = EffectSite::motor,
+          .placeKind = PlaceKind::motor,
           .unknowns = {{"a", "rad", 0.005}, {"b", "rad", 0.005}},
-          .needs = {Driver::angle},
+          .drivers = {Driver::angle},
           .correct = [](ModelState& modelState, const RobotSample& instant, std::size_t joint,
                         std::span<const double> values) {
             const double q = instant.q[static_cast<Eigen::Index>(joint)];

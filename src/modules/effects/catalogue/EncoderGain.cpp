@@ -5,11 +5,11 @@ namespace naocal {
 /// The encoder's gain is wrong, for example with a magnet too high or too low. 1 %: specification of magnetic encoders.
 Effect encoderGain() {
   return {.name = effectName::encoderGain,
-          .what = "the encoder counts too much or too little per turn",
+          .description = "the encoder counts too much or too little per turn",
           .formula = "+g * q",
-          .place = EffectSite::motor,
+          .placeKind = PlaceKind::motor,
           .unknowns = {{"g", "1", 0.01}},
-          .needs = {Driver::angle},
+          .drivers = {Driver::angle},
           .correct = [](ModelState& modelState, const RobotSample& instant, std::size_t joint,
                         std::span<const double> values) {
             modelState.angle(joint) += values[0] * instant.q[static_cast<Eigen::Index>(joint)];

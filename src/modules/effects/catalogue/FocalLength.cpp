@@ -5,9 +5,9 @@ namespace naocal {
 /// Both focal lengths have the same relative error: fx, fy times (1 + s).
 Effect focalLength() {
   return {.name = "focalLength",
-          .what = "the lens magnifies more or less than the file says",
+          .description = "the lens magnifies more or less than the file says",
           .formula = "fx, fy -> fx (1 + s), fy (1 + s)",
-          .place = EffectSite::camera,
+          .placeKind = PlaceKind::camera,
           .unknowns = {{"s", "1", 0.03}},
           .correct = [](ModelState& modelState, const RobotSample&, std::size_t, std::span<const double> values) {
             modelState.lens().head<2>() *= 1 + values[0];

@@ -8,11 +8,11 @@ namespace naocal {
 /// Friction of NAO gears is 0.05 to 0.5 Nm; t is relative to 0.2 Nm, the start of fits. Friction smooths both steps.
 Effect gearPlay() {
   return {.name = effectName::gearPlay,
-          .what = "the gear's gap: load holds the joint at one end of it, or the last motion does",
+          .description = "the gear's gap: load holds the joint at one end of it, or the last motion does",
           .formula = "+(D/2) * s, s = sgn(tau) where |tau| > 0.2 Nm + t, else -approach",
-          .place = EffectSite::motor,
+          .placeKind = PlaceKind::motor,
           .unknowns = {{"D", "rad", 0.01}, {"t", "Nm", 0.1}},
-          .needs = {Driver::torque, Driver::approach},
+          .drivers = {Driver::torque, Driver::approach},
           .limits = {{"backlash", "t", 0.05 - gearFriction}, {"hysteresis", "t", 0.5 - gearFriction}},
           .linear = false,
           .kink = true,

@@ -5,11 +5,11 @@ namespace naocal {
 /// The output lags the last motion by half the gap (Adikari's thesis, equation 3.1).
 Effect hysteresis() {
   return {.name = effectName::hysteresis,
-          .what = "the gear's gap: the joint lags behind its last motion",
+          .description = "the gear's gap: the joint lags behind its last motion",
           .formula = "-(D/2) * approach",
-          .place = EffectSite::motor,
+          .placeKind = PlaceKind::motor,
           .unknowns = {{"D", "rad", 0.01}},
-          .needs = {Driver::approach},
+          .drivers = {Driver::approach},
           .kink = true,
           .correct = [](ModelState& modelState, const RobotSample& instant, std::size_t joint,
                         std::span<const double> values) {

@@ -6,11 +6,11 @@ namespace naocal {
 /// not depend on it: each recorded `imu` reading is a measurement of the torso over the sole.
 Effect imuTilt() {
   return {.name = "imuTilt",
-          .what = "the inertial unit sits tilted in the torso",
+          .description = "the inertial unit sits tilted in the torso",
           .formula = "torso attitude = reading * Ry(pitch) * Rx(roll)",
-          .place = EffectSite::all,
+          .placeKind = PlaceKind::all,
           .unknowns = {{"roll", "rad", 0.03}, {"pitch", "rad", 0.03}},
-          .needs = {Driver::imu},
+          .drivers = {Driver::imu},
           .correct = [](ModelState& modelState, const RobotSample&, std::size_t, std::span<const double> values) {
             modelState.imuTilt() += Eigen::Vector2d{values[0], values[1]};
           }};

@@ -5,11 +5,11 @@ namespace naocal {
 /// The encoder's zero is off: q_true = q_measured - o. Worn and fallen NAOs show up to 11 degrees (published offsets).
 Effect jointOffset() {
   return {.name = effectName::jointOffset,
-          .what = "the encoder's zero is off: a fall, a worn gear, an assembly one tooth away",
+          .description = "the encoder's zero is off: a fall, a worn gear, an assembly one tooth away",
           .formula = "q_true = q_measured - o",
-          .place = EffectSite::motor,
+          .placeKind = PlaceKind::motor,
           .unknowns = {{"o", "rad", 0.1}},
-          .base = true,
+          .inBaseModel = true,
           .correct = [](ModelState& modelState, const RobotSample&, std::size_t joint, std::span<const double> values) {
             modelState.angle(joint) -= values[0];
           }};

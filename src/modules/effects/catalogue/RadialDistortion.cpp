@@ -5,9 +5,9 @@ namespace naocal {
 /// Radial distortion, added to the given k1, k2.
 Effect radialDistortion() {
   return {.name = "radialDistortion",
-          .what = "the lens bends rays more or less towards its rim than the file says",
+          .description = "the lens bends rays more or less towards its rim than the file says",
           .formula = "k1, k2 -> k1 + k1', k2 + k2'",
-          .place = EffectSite::camera,
+          .placeKind = PlaceKind::camera,
           .unknowns = {{"k1", "1", 0.1}, {"k2", "1", 0.2}},
           .correct = [](ModelState& modelState, const RobotSample&, std::size_t, std::span<const double> values) {
             modelState.lens().segment<2>(4) += Eigen::Vector2d{values[0], values[1]};

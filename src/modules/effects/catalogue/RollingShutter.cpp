@@ -6,11 +6,11 @@ namespace naocal {
 /// the whole period of a picture.
 Effect rollingShutter() {
   return {.name = "rollingShutter",
-          .what = "the picture's rows are exposed one after the other while the joints move",
+          .description = "the picture's rows are exposed one after the other while the joints move",
           .formula = "+q' * s * (v - cy) on every joint",
-          .place = EffectSite::camera,
+          .placeKind = PlaceKind::camera,
           .unknowns = {{"s", "s/row", 6e-5}},
-          .needs = {Driver::velocity},
+          .drivers = {Driver::velocity},
           .correct = [](ModelState& modelState, const RobotSample&, std::size_t, std::span<const double> values) {
             modelState.rowTime() += values[0];
           }};

@@ -7,11 +7,11 @@ namespace naocal {
 Effect soleCompliance() {
   return {
       .name = "soleCompliance",
-      .what = "the sole or the floor gives way: the body tips towards its centre of mass",
+      .description = "the sole or the floor gives way: the body tips towards its centre of mass",
       .formula = "pitch + c * com_x, roll - c * com_y",
-      .place = EffectSite::sole,
+      .placeKind = PlaceKind::sole,
       .unknowns = {{"c", "rad/m", 0.3}},
-      .needs = {Driver::com},
+      .drivers = {Driver::com},
       .correct = [](ModelState& modelState, const RobotSample& instant, std::size_t, std::span<const double> values) {
         if (instant.supportFoot != SupportFoot::both) {
           modelState.worldFromSupport()[3] -= values[0] * instant.com.y();

@@ -6,9 +6,9 @@ namespace naocal {
 /// of a sole.
 Effect soleTilt() {
   return {.name = "soleTilt",
-          .what = "the body stands tilted on that sole: a bent foot or a slope",
+          .description = "the body stands tilted on that sole: a bent foot or a slope",
           .formula = "worldFromSole = placement * Ry(pitch) * Rx(roll)",
-          .place = EffectSite::sole,
+          .placeKind = PlaceKind::sole,
           .unknowns = {{"roll", "rad", 0.02}, {"pitch", "rad", 0.02}},
           .correct = [](ModelState& modelState, const RobotSample&, std::size_t, std::span<const double> values) {
             modelState.worldFromSupport().segment<2>(3) += Eigen::Vector2d{values[0], values[1]};

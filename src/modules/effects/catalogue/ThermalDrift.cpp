@@ -6,11 +6,11 @@ namespace naocal {
 /// game.
 Effect thermalDrift() {
   return {.name = "thermalDrift",
-          .what = "the joint's angle drifts as its motor warms up",
+          .description = "the joint's angle drifts as its motor warms up",
           .formula = "+k * (T - 30 degC)",
-          .place = EffectSite::motor,
+          .placeKind = PlaceKind::motor,
           .unknowns = {{"k", "rad/K", 5e-4}},
-          .needs = {Driver::temperature},
+          .drivers = {Driver::temperature},
           .correct = [](ModelState& modelState, const RobotSample& instant, std::size_t joint,
                         std::span<const double> values) {
             modelState.angle(joint) += values[0] * (instant.temperature[static_cast<Eigen::Index>(joint)] - 30);

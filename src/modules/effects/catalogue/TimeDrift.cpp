@@ -6,11 +6,11 @@ namespace naocal {
 Effect timeDrift() {
   return {
       .name = "timeDrift",
-      .what = "the joint's angle creeps while the captures are taken",
+      .description = "the joint's angle creeps while the captures are taken",
       .formula = "+k * (t - t_first)",
-      .place = EffectSite::motor,
+      .placeKind = PlaceKind::motor,
       .unknowns = {{"k", "rad/s", 1e-5}},
-      .needs = {Driver::time},
+      .drivers = {Driver::time},
       .correct = [](ModelState& modelState, const RobotSample& instant, std::size_t joint,
                     std::span<const double> values) { modelState.angle(joint) += values[0] * instant.time.count(); }};
 }

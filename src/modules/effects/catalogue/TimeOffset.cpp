@@ -9,11 +9,11 @@ namespace naocal {
 Effect timeOffset() {
   return {
       .name = "timeOffset",
-      .what = "pictures are younger than the joint angles recorded with them",
+      .description = "pictures are younger than the joint angles recorded with them",
       .formula = "+q' * dt on every joint",
-      .place = EffectSite::all,
+      .placeKind = PlaceKind::all,
       .unknowns = {{"dt", "s", 0.02}},
-      .needs = {Driver::velocity},
+      .drivers = {Driver::velocity},
       .correct = [](ModelState& modelState, const RobotSample& instant, std::size_t, std::span<const double> values) {
         for (Eigen::Index joint = 0; joint < instant.velocity.size(); ++joint) {
           if (std::isfinite(instant.velocity[joint])) {

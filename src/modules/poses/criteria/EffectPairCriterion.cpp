@@ -72,7 +72,7 @@ EffectPairCriterion::Told EffectPairCriterion::tellApart(const std::vector<Valid
   const auto isAsked = [&](const Term& term) {
     return std::any_of(options_.effects.begin(), options_.effects.end(), [&](const std::string& given) {
       return given == term.label() ||
-             (term.effect.place == EffectSite::motor && labelFor(given, robot_) == term.label());
+             (term.effect.placeKind == PlaceKind::motor && labelFor(given, robot_) == term.label());
     });
   };
   for (const Term& term : named.terms()) {

@@ -55,11 +55,11 @@ Eigen::VectorXd extendUnknowns(const FittedModel& fitted, const Measurements& ex
                                const std::vector<LocalScene>& around) {
   Eigen::VectorXd result = mapParameters(fitted.model, fitted.fit.unknowns, model);
   for (const Term& term : model.terms()) {
-    if (term.effect.place != EffectSite::stance || fitted.model.find(term.label())) {
+    if (term.effect.placeKind != PlaceKind::stance || fitted.model.find(term.label())) {
       continue;
     }
     for (const LocalScene& here : around) {
-      if (here.supportFoot == extended.stances[term.site].supportFoot) {
+      if (here.supportFoot == extended.stances[term.placeIndex].supportFoot) {
         result.segment<3>(static_cast<Eigen::Index>(term.first)) << here.sole.x, here.sole.y, here.sole.yaw;
       }
     }
@@ -99,7 +99,7 @@ Eigen::VectorXd drawApproach(const Robot& robot, std::mt19937_64& random) {
 
 bool dependsOnApproach(const Model& model) {
   return std::any_of(model.terms().begin(), model.terms().end(), [](const Term& term) {
-    const auto& needs = term.effect.needs;
+    const auto& needs = term.effect.drivers;
     return std::find(needs.begin(), needs.end(), Driver::approach) != needs.end();
   });
 }
