@@ -2,7 +2,7 @@
 
 #include "brain/CalibrationInputs.hpp"
 #include "brain/CalibrationScript.hpp"
-#include "brain/SavedCalibration.hpp"
+#include "dialects/SavedCalibration.hpp"
 #include "io/Files.hpp"
 #include "io/InputError.hpp"
 #include "math/Angles.hpp"

@@ -9,8 +9,6 @@
 namespace naocal {
 namespace {
 
-constexpr double largestOffset = 30; // [deg]; larger values are refused; 11.5 have been observed
-
 std::string plausible(const double& degrees) {
   return std::abs(degrees) <= largestOffset ? "" : fmt::format("an offset from -{0} to {0} degrees", largestOffset);
 }

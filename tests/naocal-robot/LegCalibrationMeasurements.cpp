@@ -1,6 +1,6 @@
 #include "LegCalibrationTruth.hpp"
 
-#include "brain/SavedCalibration.hpp"
+#include "dialects/SavedCalibration.hpp"
 
 #include <catch2/catch.hpp>
 #include <cstdlib>

@@ -1,7 +1,7 @@
 #include "LegCalibrationTruth.hpp"
 #include "V6Twin.hpp"
 
-#include "brain/SavedCalibration.hpp"
+#include "dialects/SavedCalibration.hpp"
 
 #include <catch2/catch.hpp>
 #include <cstdlib>

@@ -44,6 +44,9 @@ int main(int argc, char** argv) {
   naocal::addExplore(app);
   naocal::addPoses(app);
   naocal::addReport(app);
+  naocal::addApply(app);
+  naocal::addExport(app);
+  naocal::addImport(app);
   naocal::addDemo(app, exitCode);
   naocal::addEvaluate(app);
   try {

@@ -6,8 +6,11 @@
 #include "math/LinearAlgebra.hpp"
 #include "measurements/Measurements.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
+#include <vector>
 
 namespace naocal {
 
@@ -20,7 +23,84 @@ struct Sum {
   int count = 0;
 };
 
+/// Mean over the pictures of each entry that was recorded, else NaN.
+Eigen::VectorXd meanDriver(const Measurements& measurements, Eigen::VectorXd RobotSample::*driver) {
+  const Eigen::Index joints = eigenIndex(measurements.robot.joints.size());
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(joints), count = sum;
+  for (const ImageObservation& picture : measurements.pictures) {
+    const Eigen::VectorXd& values = picture.instant.*driver;
+    for (Eigen::Index joint = 0; joint < std::min(joints, values.size()); ++joint) {
+      if (std::isfinite(values[joint])) {
+        sum[joint] += values[joint];
+        ++count[joint];
+      }
+    }
+  }
+  return (count.array() > 0).select(sum.cwiseQuotient(count), RobotSample::nothing);
+}
+
+/// A picture of the robot standing at a posture, for `predictState`: readings are the posture's angles plus the model's
+/// offsets.
+ImageObservation standingPicture(const Measurements& measurements, const Model& model, const Eigen::VectorXd& unknowns,
+                                 const Eigen::VectorXd& posture) {
+  ImageObservation picture = measurements.pictures.front();
+  RobotSample& instant = picture.instant;
+  const Eigen::Index joints = eigenIndex(measurements.robot.joints.size());
+  instant.q = posture;
+  for (const std::size_t index : model.offsets()) {
+    const Term& offset = model.terms()[index];
+    for (std::size_t joint = 0; joint < measurements.robot.joints.size(); ++joint) {
+      instant.q[eigenIndex(joint)] +=
+          measurements.robot.joints[joint].motor == offset.site ? unknowns[eigenIndex(offset.first)] : 0;
+    }
+  }
+  picture.nominal.values.head(joints) = instant.q;
+  instant.supportFoot = SupportFoot::both;
+  instant.leftLoad = 0.5;
+  instant.velocity = instant.approach = Eigen::VectorXd::Zero(joints);
+  instant.temperature = meanDriver(measurements, &RobotSample::temperature);
+  instant.current = meanDriver(measurements, &RobotSample::current);
+  instant.imu.setZero();
+  Seconds time{0};
+  for (const ImageObservation& each : measurements.pictures) {
+    time += each.instant.time / static_cast<double>(measurements.pictures.size());
+  }
+  instant.time = time;
+  return picture;
+}
+
 } // namespace
+
+std::vector<JointCompensation> jointCompensations(const Measurements& measurements, const Model& model,
+                                                  const Eigen::VectorXd& unknowns, const Eigen::VectorXd& posture) {
+  const ImageObservation stand = standingPicture(measurements, model, unknowns, posture);
+  const ModelState atStand = predictState(measurements, model, stand, unknowns);
+  std::vector<std::pair<const ImageObservation*, ModelState>> states;
+  for (const ImageObservation& picture : measurements.pictures) {
+    if (!picture.observations.empty()) {
+      states.emplace_back(&picture, predictState(measurements, model, picture, unknowns));
+    }
+  }
+  std::vector<JointCompensation> all;
+  for (const std::size_t index : model.offsets()) {
+    const Term& term = model.terms()[index];
+    JointCompensation one{.joint = term.place, .offset = unknowns[eigenIndex(term.first)]};
+    const auto deltaOf = [&](const ImageObservation& picture, const ModelState& state) {
+      return state.angle(term.site) - picture.nominal.angle(term.site) + one.offset;
+    };
+    one.delta = deltaOf(stand, atStand);
+    Eigen::VectorXd deltas(eigenIndex(states.size()));
+    for (std::size_t i = 0; i < states.size(); ++i) {
+      deltas[eigenIndex(i)] = deltaOf(*states[i].first, states[i].second);
+    }
+    one.mean = deltas.mean();
+    one.spread = std::sqrt((deltas.array() - one.mean).square().mean());
+    one.lowest = deltas.minCoeff();
+    one.highest = deltas.maxCoeff();
+    all.push_back(std::move(one));
+  }
+  return all;
+}
 
 std::vector<EffectiveOffset> effectiveOffsets(const FittedModel& fitted) {
   const Robot& robot = fitted.measurements.robot;

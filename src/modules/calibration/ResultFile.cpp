@@ -233,6 +233,12 @@ StoredResult parseResult(const json& all, const std::string& name) {
     }
     StoredResult result;
     result.usable = all.at("usable").get<bool>();
+    result.robot = all.contains("model") ? all["model"].value("robot", result.robot) : result.robot;
+    result.sentence = all.value("sentence", "");
+    if (all.contains("inputs")) {
+      result.inputs = {all["inputs"].value("sets", std::vector<std::string>{}),
+                       all["inputs"].value("sha256", std::vector<std::string>{})};
+    }
     if (all.contains("model") && all["model"].contains("define")) {
       result.definitions = all["model"]["define"].dump();
     }
@@ -242,6 +248,7 @@ StoredResult parseResult(const json& all, const std::string& name) {
       result.terms.push_back(label);
       for (const auto& [key, unknown] : effect.at("unknowns").items()) {
         result.values[label + "." + key] = unknown.at("value").get<double>();
+        result.learned[label + "." + key] = unknown.value("learned", 1.0);
       }
     }
     for (const auto& [id, placement] : all.at("placements").at("boards").items()) {

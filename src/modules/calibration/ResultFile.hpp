@@ -31,6 +31,10 @@ struct StoredResult {
   std::string definitions = "[]";           // user-defined effects: a JSON list
   Noise noise;                              // noise levels of the fit
   bool usable = false;
+  std::string robot = "V6";              // its model
+  std::string sentence;                  // the verdict; empty: not in the file
+  std::map<std::string, double> learned; // 1 - posterior sigma / prior sigma, by the same names as `values`
+  ResultSources inputs;                  // the sets that it was made from
 };
 
 /// Reads a result file. Throws InputError with file, location, expected and found.

@@ -20,6 +20,9 @@ inline constexpr std::array<std::string_view, 26> jointNames{
 
 inline constexpr std::size_t jointCount = jointNames.size();
 
+/// Largest offset that a robot accepts, both ways [deg]; 11.5 have been observed.
+inline constexpr double largestOffset = 30;
+
 /// Index of a joint in `jointNames`; absent for an unknown name.
 constexpr std::optional<std::size_t> jointIndex(std::string_view name) {
   for (std::size_t joint = 0; joint < jointCount; ++joint) {

@@ -16,6 +16,9 @@ void addDiagnose(CLI::App& app, int& exitCode);
 void addExplore(CLI::App& app);
 void addPoses(CLI::App& app);
 void addReport(CLI::App& app);
+void addApply(CLI::App& app);
+void addExport(CLI::App& app);
+void addImport(CLI::App& app);
 void addDemo(CLI::App& app, int& exitCode);
 void addEvaluate(CLI::App& app);
 void addEvaluateNext(CLI::App& evaluate); // further subcommands of evaluate

@@ -4,11 +4,15 @@
 #include "console/PrintCalibration.hpp"
 
 #include "calibration/Calibration.hpp"
+#include "dialects/ModelCalibration.hpp"
 #include "estimation/ModelBuilder.hpp"
 #include "estimation/ModelFile.hpp"
+#include "io/Files.hpp"
+#include "io/JsonReader.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
@@ -20,7 +24,7 @@ namespace {
 
 struct SolveCommand {
   std::vector<std::string> sets, with, without;
-  std::string output, json, model;
+  std::string output, json, model, start;
   bool samePlace = false, skipBad = false, fixedNoise = false, plain = false;
   CalibrationOptions options;
 };
@@ -36,12 +40,29 @@ Model askedModel(const SolveCommand& command, const Measurements& measurements) 
   return buildModel(measurements, file.with, file.without, file.effects);
 }
 
+/// The start from a result, or from a file of `naocal import`.
+SearchStart readStart(const std::string& file, const Measurements& measurements, const Model& model) {
+  const auto document = parseJson(readFile(file), file);
+  const bool isResult = document.is_object() && document.value("format", nlohmann::json{}) == "naocal-result";
+  return startAt(isResult ? parseResult(document, file).values
+                          : valuesFromCalibration(parseCalibration(document, file), measurements.sets->front().cameras),
+                 measurements, model);
+}
+
 int solve(SolveCommand& command) {
   command.options.estimateNoise = !command.fixedNoise;
   command.options.robust = !command.plain;
   LoadedSets given = loadSets(command.sets, command.skipBad);
   const Measurements measurements = buildMeasurements(std::move(given.sets), given.robot, command.samePlace);
   const Model model = askedModel(command, measurements);
+  if (!command.start.empty()) {
+    SearchStart start = readStart(command.start, measurements, model);
+    command.options.start = std::move(start.unknowns);
+    if (command.json != "-") {
+      fmt::print("starts at {} numbers of {}{}{}\n", start.count, command.start,
+                 start.unused.empty() ? "" : "; not in this model: ", fmt::join(start.unused, ", "));
+    }
+  }
   const CalibrationResult result = calibrate(measurements, model, command.options);
   const auto json = resultJson({measurements, model, result}, given.inputs);
   if (!command.output.empty()) {
@@ -75,6 +96,8 @@ void addSolve(CLI::App& app, int& exitCode) {
   solver->add_option("--without", command->without, "effects to leave out, such as jointOffset@HeadYaw")
       ->delimiter(',');
   solver->add_option("--model", command->model, "a model file: effects to add, to leave out, and effects of your own");
+  solver->add_option("--start", command->start,
+                     "start the search at another result, or at a file of 'naocal import'; default: the drawing");
   solver->add_option("--restarts", command->options.restarts, "extra searches from random starting points")
       ->check(CLI::Range(0, 1000));
   solver->add_option("--seed", command->options.seed, "seed of the random starting points");

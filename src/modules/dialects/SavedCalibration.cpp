@@ -1,13 +1,13 @@
-#include "brain/SavedCalibration.hpp"
+#include "dialects/SavedCalibration.hpp"
 
 #include "effects/Catalogue.hpp"
-#include "hardware/Joints.hpp"
 #include "math/Angles.hpp"
 #include "protocol/JointOrder.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -95,6 +95,29 @@ void applyCalibration(const std::vector<EffectiveOffset>& offsets, const StoredR
     restoreCalibration(before, configuration);
     throw;
   }
+}
+
+void applyLens(const std::string& camera, const CameraIntrinsics& lens, Configuration& configuration) {
+  configuration.set(camerasMount, camera + "_fc", {lens.fx / lens.width, lens.fy / lens.height});
+  configuration.set(camerasMount, camera + "_cc", {lens.cx / lens.width, lens.cy / lens.height});
+}
+
+void mountCalibration(Configuration& configuration) {
+  configuration.mount(
+      offsetsMount, "JointCalibrationProvider.json", RobotPart::body,
+      [](const std::string& key, const nlohmann::json& value) {
+        const bool isOffset = std::any_of(jointNames.begin(), jointNames.end(),
+                                          [&](std::string_view joint) { return offsetKey(joint) == key; });
+        if (!isOffset) {
+          return;
+        }
+        if (!value.is_number() || !(std::abs(value.get<double>()) <= largestOffset)) {
+          throw ConfigurationError{fmt::format("{}: expected an offset from -{} to {} degrees, found {}", key,
+                                               largestOffset, largestOffset, value.dump())};
+        }
+      });
+  configuration.mount(camerasMount, "Projection.json", RobotPart::head);
+  saveCalibrationTogether(configuration);
 }
 
 void saveCalibrationTogether(Configuration& configuration) {

@@ -20,7 +20,14 @@ std::string snapshotCalibration(const Configuration& configuration);
 /// exceptions of the configuration after restoring the previous values.
 void applyCalibration(const std::vector<EffectiveOffset>& offsets, const StoredResult& mounts,
                       Configuration& configuration);
+/// Applies a camera's lens (Brain.Projection) without saving; its distortion has no place there.
+void applyLens(const std::string& camera, const CameraIntrinsics& lens, Configuration& configuration);
+
 void restoreCalibration(const std::string& calibrationKeys, Configuration& configuration);
+
+/// Mounts both files of a configuration that no robot process runs on, grouped. Offsets beyond `largestOffset` are
+/// refused.
+void mountCalibration(Configuration& configuration);
 
 /// Groups both mounts: they are always saved and undone together.
 void saveCalibrationTogether(Configuration& configuration);

@@ -1,0 +1,115 @@
+#include "commands/Commands.hpp"
+#include "console/RobotCalibrationFile.hpp"
+
+#include "dialects/Dialects.hpp"
+#include "io/Files.hpp"
+#include "io/InputError.hpp"
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace naocal {
+
+namespace {
+
+struct ExportCommand {
+  std::string result, dialect, output;
+  PostureOptions posture;
+};
+
+/// Calibration in the files that are already there, which are about to be replaced. Throws InputError if one of them is
+/// no file of this dialect or holds more than a calibration.
+RobotCalibration readPresent(const Dialect& dialect, const std::vector<DialectFile>& files,
+                             const std::filesystem::path& folder, const Robot& robot) {
+  ParsedCalibration present;
+  for (const DialectFile& file : files) {
+    const std::filesystem::path path = folder / file.name;
+    if (!std::filesystem::exists(path)) {
+      continue;
+    }
+    const ParsedCalibration one = dialect.parse(readFile(path), path.string(), robot);
+    if (!one.unused.empty()) {
+      throw InputError{
+          fmt::format("{}: expected a file with nothing but a calibration to replace, found also {}; it is "
+                      "left alone, name another folder and copy the numbers",
+                      path.string(), fmt::join(one.unused, ", "))};
+    }
+    addCalibration(one, path.string(), present);
+  }
+  return present.calibration;
+}
+
+void printRemarks(const Dialect& dialect, const LoadedCalibration& loaded, const RobotCalibration& written) {
+  std::vector<std::string> zero;
+  for (const std::string_view joint : offsetJoints()) {
+    if (dialect.namesAllJoints && !written.offsets.empty() && !written.offsets.contains(std::string{joint})) {
+      zero.emplace_back(joint);
+    }
+  }
+  if (!zero.empty()) {
+    fmt::print("written as 0, for want of a number: {}\n", fmt::join(zero, ", "));
+  }
+  const std::vector<std::string> lost = unwritten(dialect, written, loaded.robot);
+  if (!lost.empty()) {
+    fmt::print("{} has no place for: {}\n", dialect.name, fmt::join(lost, ", "));
+  }
+}
+
+void exportCalibration(const ExportCommand& command) {
+  const Dialect& dialect = findDialect(command.dialect);
+  const LoadedCalibration loaded = loadCalibration(command.result, command.posture);
+  std::vector<DialectFile> files = dialect.write(loaded.calibration, loaded.robot);
+  const RobotCalibration all =
+      completeCalibration(loaded.calibration, readPresent(dialect, files, command.output, loaded.robot));
+  files = dialect.write(all, loaded.robot);
+  if (files.empty()) {
+    throw InputError{fmt::format("{}: expected something that {} has a place for, found nothing{}", command.result,
+                                 dialect.name,
+                                 dialect.hasJoints ? "" : "; lenses come from the captures: name them with --set")};
+  }
+  printCompensations(loaded);
+  printRemarks(dialect, loaded, all);
+  std::filesystem::create_directories(command.output);
+  for (const DialectFile& file : files) {
+    const std::filesystem::path path = std::filesystem::path{command.output} / file.name;
+    writeAtomically(path, file.text);
+    fmt::print("written: {}\n", path.string());
+  }
+}
+
+std::string dialectHelp() {
+  std::string text;
+  for (const Dialect& dialect : dialects()) {
+    text += fmt::format("\n  {:<14} {}", dialect.name, dialect.what);
+  }
+  return text;
+}
+
+} // namespace
+
+void addExport(CLI::App& app) {
+  auto command = std::make_shared<ExportCommand>();
+  CLI::App* exporter = app.add_subcommand("export", "writes a result as configuration files of other programs");
+  exporter->footer("Example: naocal export result.json --to bhuman -o Config/Robots/nao21\nDialects:" + dialectHelp());
+  exporter->add_option("RESULT", command->result, "a result of 'naocal solve', or a file of 'naocal import'")
+      ->required();
+  exporter->add_option("--to", command->dialect, dialectNames())->required();
+  exporter
+      ->add_option("-o,--output", command->output,
+                   "folder to write to; joints that are less than 50 % learned keep the values of files there")
+      ->required();
+  exporter->add_option(
+      "--at", command->posture.pose,
+      "a .pose file: the posture at which the constants are right; default: standing, knees bent by 50 "
+      "degrees");
+  exporter->add_option("--set", command->posture.sets,
+                       "folder of the captures, where it is no longer as the result names it");
+  exporter->callback([command] { exportCalibration(*command); });
+}
+
+} // namespace naocal

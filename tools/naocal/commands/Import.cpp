@@ -1,0 +1,83 @@
+#include "commands/Commands.hpp"
+#include "console/OutputFiles.hpp"
+
+#include "dialects/Dialects.hpp"
+#include "io/Files.hpp"
+#include "math/Angles.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace naocal {
+
+namespace {
+
+struct ImportCommand {
+  std::vector<std::string> files;
+  std::string dialect, output, robot = "V6";
+};
+
+void printImported(const RobotCalibration& calibration) {
+  for (const std::string_view joint : offsetJoints()) {
+    const auto offset = calibration.offsets.find(std::string{joint});
+    if (offset != calibration.offsets.end() && offset->second != 0) {
+      fmt::print("  {:<16} {:>9.4f}°\n", joint, degrees(offset->second));
+    }
+  }
+  for (const auto& [name, camera] : calibration.cameras) {
+    if (camera.rotation) {
+      const Eigen::Vector3d angles = *camera.rotation * degrees(1.0);
+      fmt::print("  camera {:<9} turned by {:.4f}°, {:.4f}°, {:.4f}° about x, y, z\n", name, angles.x(), angles.y(),
+                 angles.z());
+    }
+    if (camera.translation) {
+      const Eigen::Vector3d shift = *camera.translation * 1000;
+      fmt::print("  camera {:<9} shifted by {:.2f}, {:.2f}, {:.2f} mm\n", name, shift.x(), shift.y(), shift.z());
+    }
+    if (camera.lens) {
+      fmt::print("  camera {:<9} {} x {} px, fx {:.2f}, fy {:.2f}, cx {:.2f}, cy {:.2f}\n", name, camera.lens->width,
+                 camera.lens->height, camera.lens->fx, camera.lens->fy, camera.lens->cx, camera.lens->cy);
+    }
+  }
+}
+
+void importCalibration(const ImportCommand& command) {
+  const Dialect& dialect = findDialect(command.dialect);
+  const Robot robot = loadRobot(configurationDirectory(), command.robot);
+  ParsedCalibration all;
+  for (const std::string& file : command.files) {
+    addCalibration(dialect.parse(readFile(file), file, robot), file, all);
+  }
+  writeJson(calibrationJson(all.calibration), command.output);
+  if (command.output == "-") {
+    return;
+  }
+  printImported(all.calibration);
+  for (const std::string& what : all.unused) {
+    fmt::print("not used: {}\n", what);
+  }
+  fmt::print("written to {}; next: naocal solve CAPTURES -o result.json --start {}\n", command.output, command.output);
+}
+
+} // namespace
+
+void addImport(CLI::App& app) {
+  auto command = std::make_shared<ImportCommand>();
+  CLI::App* importer = app.add_subcommand("import", "reads other programs' configuration files as a start of solve");
+  importer->footer("Example: naocal import jointCalibration.cfg cameraCalibration.cfg --from bhuman -o start.json");
+  importer->add_option("FILE", command->files, "files of one robot, at most one of each kind")->required();
+  importer->add_option("--from", command->dialect, dialectNames())->required();
+  importer->add_option("-o,--output", command->output, "write the calibration to this file, or - for standard output")
+      ->required()
+      ->check(replaceableFile("naocal-calibration"));
+  importer->add_option("--robot", command->robot, "the robot's model, for its mounts")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"V4", "V5", "V6"}));
+  importer->callback([command] { importCalibration(*command); });
+}
+
+} // namespace naocal

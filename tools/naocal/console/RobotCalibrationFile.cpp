@@ -1,0 +1,181 @@
+#include "console/RobotCalibrationFile.hpp"
+
+#include "calibration/Prediction.hpp"
+#include "data/CaptureSetFile.hpp"
+#include "dialects/ModelCalibration.hpp"
+#include "effects/Catalogue.hpp"
+#include "io/Files.hpp"
+#include "io/InputError.hpp"
+#include "io/JsonReader.hpp"
+#include "math/Angles.hpp"
+#include "poses/PoseFile.hpp"
+#include "poses/candidates/SupportLegs.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+namespace naocal {
+
+namespace {
+
+constexpr double noticeable = 1e-6; // [rad], of a correction that is shown
+
+const std::array lensEffects{"focalLength", "principalPoint", "radialDistortion", "tangentialDistortion"};
+
+std::string effectOf(const std::string& term) {
+  return term.substr(0, term.find('@'));
+}
+
+bool isLensTerm(const std::string& term) {
+  return std::find(lensEffects.begin(), lensEffects.end(), effectOf(term)) != lensEffects.end();
+}
+
+/// Whether the term may correct a joint's angle beside its offset.
+bool bendsJoints(const std::string& term) {
+  if (effectOf(term) == effectName::jointOffset) {
+    return false;
+  }
+  for (const Effect& effect : allEffects()) {
+    if (effect.name == effectOf(term)) {
+      return effect.place == EffectSite::motor || effect.place == EffectSite::joint || effect.place == EffectSite::all;
+    }
+  }
+  return true; // an own effect
+}
+
+/// The sets of a result; empty if one is not there, or is not as it was.
+std::vector<CaptureSet> findSets(const StoredResult& result, const PostureOptions& options) {
+  std::vector<CaptureSet> sets;
+  for (std::size_t i = 0; i < result.inputs.sets.size() && options.sets.empty(); ++i) {
+    const std::filesystem::path file = std::filesystem::path{result.inputs.sets[i]} / "captures.json";
+    const bool isSame = std::filesystem::exists(file) && i < result.inputs.sha256.size() &&
+                        sha256(readFile(file)) == result.inputs.sha256[i];
+    if (!isSame) {
+      return {};
+    }
+    sets.push_back(readCaptureSet(result.inputs.sets[i], BadCapturePolicy::skip).set);
+  }
+  for (const std::string& folder : options.sets) {
+    sets.push_back(readCaptureSet(folder, BadCapturePolicy::skip).set);
+  }
+  return sets;
+}
+
+/// Constants from the result's captures, and the lenses that they were taken with.
+void evaluate(const std::vector<CaptureSet>& sets, const PostureOptions& options, LoadedCalibration& loaded) {
+  const Measurements measurements = buildMeasurements(sets, loaded.robot);
+  if (measurements.cornerCount == 0) {
+    throw InputError{fmt::format("{}: expected captures with corners, found none", sets.front().name)};
+  }
+  const Eigen::VectorXd posture =
+      options.pose.empty() ? bentKneesStance(loaded.robot) : readAnglesFile(options.pose, loaded.robot);
+  const Prediction prediction = preparePrediction(loaded.result, measurements, false);
+  loaded.joints = jointCompensations(measurements, prediction.model, prediction.unknowns, posture);
+  loaded.calibration = calibrationFromValues(loaded.result.values, sets.front().cameras);
+  loaded.calibration.headId = sets.front().headId;
+  loaded.calibration.bodyId = sets.front().bodyId;
+}
+
+void requireUsable(const StoredResult& result, const std::string& file) {
+  if (!result.usable) {
+    throw InputError{fmt::format("{}: expected a result that can be used, found one with the verdict do-not-use: {} "
+                                 "Nothing was written; calibrate again",
+                                 file, result.sentence)};
+  }
+}
+
+LoadedCalibration fromResult(const nlohmann::json& document, const std::string& file, const PostureOptions& options) {
+  LoadedCalibration loaded;
+  loaded.result = parseResult(document, file);
+  requireUsable(loaded.result, file);
+  loaded.robot = loadRobot(configurationDirectory(), loaded.result.robot);
+  const std::vector<CaptureSet> sets = findSets(loaded.result, options);
+  const auto& terms = loaded.result.terms;
+  if (!sets.empty()) {
+    evaluate(sets, options, loaded);
+  } else if (const auto needs = std::find_if(terms.begin(), terms.end(), bendsJoints); needs != terms.end()) {
+    throw InputError{
+        fmt::format("{}: its model has {}, whose share at the standing pose follows from the captures, but "
+                    "{} is not there as it was; name its folder with --set",
+                    file, *needs, loaded.result.inputs.sets.empty() ? "no set" : loaded.result.inputs.sets.front())};
+  } else {
+    loaded.calibration = calibrationFromValues(loaded.result.values, {});
+  }
+  for (const JointCompensation& joint : loaded.joints) {
+    loaded.calibration.offsets[joint.joint] = joint.constant();
+  }
+  std::erase_if(loaded.calibration.offsets, [&](const auto& offset) {
+    const auto learned = loaded.result.learned.find(fmt::format("jointOffset@{}.o", offset.first));
+    const bool leftOut = learned != loaded.result.learned.end() && !isLearned({.learned = learned->second});
+    if (leftOut) {
+      loaded.unlearned.push_back(offset.first);
+    }
+    return leftOut;
+  });
+  for (const std::string& term : terms) {
+    const std::string effect = effectOf(term);
+    loaded.lensIsEstimated |= isLensTerm(term);
+    if (effect != effectName::jointOffset && effect != effectName::cameraRotation && effect != "cameraTranslation" &&
+        !isLensTerm(term) && !term.starts_with("board")) {
+      loaded.otherTerms.push_back(term);
+    }
+  }
+  return loaded;
+}
+
+} // namespace
+
+LoadedCalibration loadCalibration(const std::string& file, const PostureOptions& options) {
+  const nlohmann::json document = parseJson(readFile(file), file);
+  if (document.is_object() && document.value("format", nlohmann::json{}) == "naocal-calibration") {
+    LoadedCalibration loaded;
+    loaded.calibration = parseCalibration(document, file);
+    loaded.robot = loadRobot(configurationDirectory(), "V6");
+    return loaded;
+  }
+  return fromResult(document, file, options);
+}
+
+void printCompensations(const LoadedCalibration& loaded) {
+  std::vector<JointCompensation> bent = loaded.joints;
+  std::erase_if(bent, [](const JointCompensation& joint) {
+    return std::max(std::abs(joint.delta), joint.highest - joint.lowest) < noticeable;
+  });
+  if (!bent.empty()) {
+    fmt::print("the model corrects these joints beside their offsets [degrees]:\n"
+               "  {:<16} {:>9} {:>14} {:>22} {:>16} {:>10}\n",
+               "", "offset o", "delta there", "in the captures", "spread (sigma)", "o - delta");
+    for (const JointCompensation& joint : bent) {
+      fmt::print("  {:<16} {:>9.3f} {:>14.3f} {:>10.3f} to {:>8.3f} {:>16.3f} {:>10.3f}\n", joint.joint,
+                 degrees(joint.offset), degrees(joint.delta), degrees(joint.lowest), degrees(joint.highest),
+                 degrees(joint.spread), degrees(joint.constant()));
+    }
+    fmt::print("a constant is right at the posture only; elsewhere it is off by as much as delta changes\n");
+  }
+  if (!loaded.otherTerms.empty()) {
+    fmt::print("a constant cannot correct: {}\n", fmt::join(loaded.otherTerms, ", "));
+  }
+  if (!loaded.unlearned.empty()) {
+    fmt::print("left out, less than 50 % learned: {}\n", fmt::join(loaded.unlearned, ", "));
+  }
+}
+
+nlohmann::json compensationsJson(const LoadedCalibration& loaded) {
+  nlohmann::json all = nlohmann::json::object();
+  for (const JointCompensation& joint : loaded.joints) {
+    all[joint.joint] = {{"offset", joint.offset},
+                        {"delta", joint.delta},
+                        {"deltaMean", joint.mean},
+                        {"deltaSpread", joint.spread},
+                        {"deltaRange", {joint.lowest, joint.highest}},
+                        {"constant", joint.constant()}};
+  }
+  return all;
+}
+
+} // namespace naocal
