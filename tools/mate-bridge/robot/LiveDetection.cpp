@@ -144,7 +144,8 @@ void LiveDetection::onImage(const std::string& key, std::uint64_t timestamp, int
       std::unique_lock lock{sight->mutex};
       const std::vector<Board> described = sight->boards;
       lock.unlock();
-      for (const BoardCorners& seen : detectBoards(decodeImage(bytes, "a live picture"), described, eye.lens).boards) {
+      const GreyPicture picture = decodeImage(bytes, "a live picture", PictureSize{eye.lens.width, eye.lens.height});
+      for (const BoardCorners& seen : detectBoards(picture, described, eye.lens).boards) {
         lock.lock();
         const auto predicted = sight->places.update(seen, eye);
         lock.unlock();
