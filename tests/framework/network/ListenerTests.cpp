@@ -96,6 +96,24 @@ TEST_CASE("a client that comes to stop the robot is never shut out") {
   CHECK((factorOf(robot) < 100 || factorOf(robot) >= 200));
 }
 
+TEST_CASE("strangers push out nobody who is about to send the secret") {
+  // Proves it for an owner at another address who hesitates while ten times as many strangers connect as there are
+  // places, and that the strangers keep replacing each other.
+  SocketSettings settings{.maxClients = 3, .keptPlaces = 1};
+  settings.access = {"0.0.0.0", "open sesame", false};
+  ShownRobot robot{settings};
+  auto owner = MateClient::config(robot.sockets->configPort(), "127.0.0.2");
+  std::vector<MateClient> strangers;
+  for (int i = 0; i < 40; ++i) {
+    strangers.push_back(robot.config());
+    CHECK((i % 2 == 0 || answersConfig(strangers.back())));
+  }
+  owner.send(set, json{{{"mp", "naocal.access"}, {"key", "secret"}, {"value", "open sesame"}}}.dump());
+  owner.send(set, json{{{"mp", "Brain.Counter"}, {"key", "factor"}, {"value", 3.0}}}.dump());
+  REQUIRE(answersConfig(owner));
+  CHECK(factorOf(robot) == 3);
+}
+
 TEST_CASE("clients on the network keep nobody from the UNIX socket") {
   // Proves that an address with many clients gives one of its places to another address, even if all are in use.
   ShownRobot robot{{.maxClients = 3, .keptPlaces = 0}};
