@@ -25,6 +25,8 @@ public:
 
   static MateClient debug(std::uint16_t port) { return MateClient{port, 16}; }
   static MateClient config(std::uint16_t port) { return MateClient{port, 12}; }
+  /// From another address of this computer, such as 127.0.0.2.
+  static MateClient config(std::uint16_t port, const char* from) { return MateClient{port, 12, from}; }
   static MateClient debug(const std::filesystem::path& unixSocket) { return MateClient{unixSocket, 16}; }
   static MateClient config(const std::filesystem::path& unixSocket) { return MateClient{unixSocket, 12}; }
   MateClient(MateClient&& other) noexcept;
@@ -44,7 +46,7 @@ public:
   bool isClosed();
 
 private:
-  MateClient(std::uint16_t port, std::size_t headerSize);
+  MateClient(std::uint16_t port, std::size_t headerSize, const char* from = nullptr);
   MateClient(const std::filesystem::path& unixSocket, std::size_t headerSize);
   void limitWaiting() const;
   std::optional<std::string> receiveBytes(std::size_t count);
@@ -53,10 +55,14 @@ private:
   std::size_t headerSize_;
 };
 
-inline MateClient::MateClient(std::uint16_t port, std::size_t headerSize)
+inline MateClient::MateClient(std::uint16_t port, std::size_t headerSize, const char* from)
     : socket_{::socket(AF_INET, SOCK_STREAM, 0)}, headerSize_{headerSize} {
   sockaddr_in address{};
   address.sin_family = AF_INET;
+  address.sin_addr.s_addr = ::inet_addr(from != nullptr ? from : "127.0.0.1");
+  if (from != nullptr && ::bind(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
+    throw std::runtime_error{"the client has no such address"};
+  }
   address.sin_port = htons(port);
   address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
   if (::connect(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {

@@ -5,6 +5,7 @@
 #include "io/JsonReader.hpp"
 
 #include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 #include <string>
 
 namespace naocal {
@@ -26,6 +27,25 @@ TEST_CASE("broken syntax is refused with line and column") {
   CHECK_THAT(refusal("{\"a\": 1e999}"), Catch::Contains("1e999"));
   CHECK_THAT(refusal("[]"), Catch::Contains("top level: expected an object, found a list of 0"));
   CHECK_THAT(refusal(std::string(100000, '[')), Catch::Contains("levels of brackets"));
+}
+
+TEST_CASE("names and numbers of captures have limits") {
+  // Proves both at their boundary, and that a text with a zero byte, which would be cut there, is refused.
+  auto set = goodSet();
+  const auto named = [&](const std::string& name) {
+    set["robot"]["bodyId"] = name;
+    return refusal(set.dump());
+  };
+  CHECK(named(std::string(longestText, 'n')) == "not refused");
+  CHECK_THAT(named(std::string(longestText + 1, 'n')),
+             Catch::Contains("robot.bodyId: expected a text of at most 10000 bytes, found one of 10001"));
+  CHECK_THAT(named(std::string("a\0b", 3)), Catch::Contains("robot.bodyId: expected a text without zero bytes"));
+  set["robot"]["bodyId"] = "nao7";
+  set["captures"] = nlohmann::json(mostCaptures + 1, nullptr);
+  CHECK_THAT(refusal(set.dump()), Catch::Contains("captures: expected at most 20000 captures in a set; split it into "
+                                                  "several, found 20001"));
+  set["captures"].erase(0);
+  CHECK_THAT(refusal(set.dump()), Catch::Contains("captures[0]"));
 }
 
 TEST_CASE("a key that occurs twice is refused with its place") {

@@ -5,6 +5,7 @@
 
 #include <catch2/catch.hpp>
 #include <filesystem>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace naocal {
@@ -76,6 +77,37 @@ TEST_CASE("a missing, a broken and a wrongly sized picture are named and touch n
   CHECK_THAT(detection.unreadable[2], Catch::Contains("capture 2") && Catch::Contains("320 x 240"));
   for (const Capture& capture : recorded.set.captures) {
     CHECK(capture.corners->size() == 2);
+  }
+}
+
+// Proves that no picture outside the set's folder is read, and none that is a pipe, which would never end.
+TEST_CASE("links out of a set and pipes are named and not read") {
+  Recorded recorded;
+  const std::filesystem::path outside = recorded.folder.string() + "-outside.png";
+  std::filesystem::rename(recorded.folder / "0.png", outside);
+  std::filesystem::create_symlink(outside, recorded.folder / "0.png");
+  std::filesystem::remove(recorded.folder / "1.png");
+  REQUIRE(::mkfifo((recorded.folder / "1.png").c_str(), 0600) == 0);
+  const SetDetection detection = detectInSet(recorded.set, recorded.folder, 1, always);
+  std::filesystem::remove(outside);
+  CHECK(detection.pictures == 1);
+  REQUIRE(detection.unreadable.size() == 2);
+  CHECK_THAT(detection.unreadable[0], Catch::Contains("capture 0") && Catch::Contains("found a path out of it"));
+  CHECK_THAT(detection.unreadable[1], Catch::Contains("capture 1") && Catch::Contains("found a pipe"));
+}
+
+// Proves that a set's pictures of another size are told from their headers: their content could not be decoded.
+TEST_CASE("a picture of another size than its camera's is not decoded") {
+  Recorded recorded;
+  for (int i = 0; i < 3; ++i) {
+    const std::filesystem::path file = recorded.folder / (std::to_string(i) + ".png");
+    writeImage(Renderer{plainCamera(320)}.render({}, {}, 1), file);
+    std::filesystem::resize_file(file, std::filesystem::file_size(file) / 2);
+  }
+  const SetDetection detection = detectInSet(recorded.set, recorded.folder, 1, always);
+  REQUIRE(detection.unreadable.size() == 3);
+  for (const std::string& sentence : detection.unreadable) {
+    CHECK_THAT(sentence, Catch::Contains("the picture has 320 x 240 pixels, but its camera is described with"));
   }
 }
 

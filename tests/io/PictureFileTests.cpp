@@ -108,6 +108,19 @@ TEST_CASE("what is no whole picture is refused by name") {
   refused(huge);
 }
 
+TEST_CASE("a picture of another size than its camera's is refused by its header") {
+  // Proves it for both formats with files whose content is not complete: decoding would refuse them in other words.
+  const GreyPicture picture = drawing(64, 48);
+  const std::string png = encodePng(picture), jpeg = encodeJpeg(picture.pixels, 64, 48, 90);
+  for (const std::string& content : {png, jpeg}) {
+    CHECK(imageSize(content, "it") == PictureSize{64, 48});
+    CHECK(decodeImage(content, "it", PictureSize{64, 48}).pixels.size() == 64 * 48);
+    CHECK_THROWS_WITH(decodeImage(content.substr(0, content.size() / 2), "images/7.png", PictureSize{32, 24}),
+                      "images/7.png: the picture has 64 x 48 pixels, but its camera is described with 32 x 24");
+  }
+  CHECK_THROWS_WITH(imageSize("GIF89a and more", "it"), Catch::Contains("expected a whole picture"));
+}
+
 TEST_CASE("a picture is written as its file's name says, or not at all") {
   // Proves both extensions, and the message for any other.
   const TemporaryFolder folder;

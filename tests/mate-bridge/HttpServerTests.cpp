@@ -8,6 +8,7 @@
 #include <boost/asio/read.hpp>
 #include <boost/asio/write.hpp>
 #include <catch2/catch.hpp>
+#include <deque>
 #include <fmt/format.h>
 #include <thread>
 
@@ -83,6 +84,58 @@ TEST_CASE("a live connection is refused to other origins") {
              Contains("101 Switching Protocols"));
   CHECK_THAT(serving.answer(serving.upgrade("http://evil.example")), Contains("403") && !Contains("101"));
   CHECK_THAT(serving.answer(serving.upgrade("null")), Contains("403"));
+}
+
+TEST_CASE("a request with two hosts is refused") {
+  // Proves it for the right host twice and for another one beside it: servers disagree about which one counts.
+  const Serving serving;
+  for (const std::string& other : {serving.host(), std::string{"evil.example"}}) {
+    CHECK_THAT(serving.answer(fmt::format("GET {} HTTP/1.1\r\nHost: {}\r\nHost: {}\r\n\r\n", serving.path(),
+                                          serving.host(), other)),
+               Contains("421"));
+  }
+}
+
+TEST_CASE("idle connections keep nobody from the page") {
+  // Proves it at the boundary: as many idle connections as are read at once stay open, and a request that follows is
+  // answered at the cost of the oldest one.
+  const Serving serving;
+  boost::asio::io_context own;
+  const std::string port = serving.host().substr(serving.host().find(':') + 1);
+  std::deque<Tcp::socket> idle;
+  for (std::size_t i = 0; i < mostRequests; ++i) {
+    boost::asio::connect(idle.emplace_back(own), Tcp::resolver{own}.resolve("127.0.0.1", port));
+  }
+  const std::string page = fmt::format("GET {} HTTP/1.1\r\nHost: {}\r\n\r\n", serving.path(), serving.host());
+  boost::asio::write(idle.back(), boost::asio::buffer(page)); // all are accepted once it is answered
+  char byte = 0;
+  CHECK(boost::asio::read(idle.back(), boost::asio::buffer(&byte, 1)) == 1);
+  boost::asio::connect(idle.emplace_back(own), Tcp::resolver{own}.resolve("127.0.0.1", port));
+  idle.front().non_blocking(true);
+  boost::system::error_code error;
+  CHECK(idle.front().read_some(boost::asio::buffer(&byte, 1), error) == 0);
+  CHECK(error == boost::asio::error::would_block);
+  CHECK_THAT(serving.answer(page), Contains("the page"));
+  idle.front().non_blocking(false);
+  CHECK(idle.front().read_some(boost::asio::buffer(&byte, 1), error) == 0);
+  CHECK(error == boost::asio::error::eof);
+}
+
+TEST_CASE("a panel can be open a limited number of times") {
+  // Proves the boundary: the last connection that is allowed is upgraded, the next one told why not.
+  const Serving serving;
+  boost::asio::io_context own;
+  const std::string port = serving.host().substr(serving.host().find(':') + 1);
+  std::deque<Tcp::socket> open;
+  for (std::size_t i = 0; i < mostPanels; ++i) {
+    boost::asio::connect(open.emplace_back(own), Tcp::resolver{own}.resolve("127.0.0.1", port));
+    boost::asio::write(open.back(), boost::asio::buffer(serving.upgrade("http://" + serving.host())));
+    std::string start(12, ' ');
+    boost::asio::read(open.back(), boost::asio::buffer(start));
+    CHECK(start == "HTTP/1.1 101");
+  }
+  CHECK_THAT(serving.answer(serving.upgrade("http://" + serving.host())),
+             Contains("503") && Contains("open 16 times already"));
 }
 
 TEST_CASE("what is no HTTP is closed without harm") {

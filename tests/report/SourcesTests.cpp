@@ -54,7 +54,7 @@ TEST_CASE("a report says how far the drawing alone is off where the captures are
 TEST_CASE("a report is made without the captures and says that they are gone") {
   // Proves that all content of the result file is shown, without angles and photographs.
   const CalibratedFolder calibrated{"images/one.png"};
-  writeNoise(calibrated.captures() / "images/one.png", 64, 48);
+  writeNoise(calibrated.captures() / "images/one.png", 640, 480);
   const json before = shown(calibrated.page());
   std::filesystem::remove_all(calibrated.captures());
   const json after = shown(calibrated.page());
@@ -70,7 +70,7 @@ TEST_CASE("a report is made without the captures and says that they are gone") {
 TEST_CASE("angles and photographs of captures that have changed are not shown") {
   // Proves that a result is never combined with modified captures.
   const CalibratedFolder calibrated{"images/one.png"};
-  writeNoise(calibrated.captures() / "images/one.png", 64, 48);
+  writeNoise(calibrated.captures() / "images/one.png", 640, 480);
   CaptureSet set = readCaptureSet(calibrated.captures()).set;
   set.captures.front().joints.measured.front() += 0.1;
   writeCaptureSet(set, calibrated.captures());
@@ -87,12 +87,12 @@ TEST_CASE("captures are also looked for beside the result file") {
   CHECK(shown(calibrated.page())["missing"].empty());
 }
 
-TEST_CASE("photographs are embedded, made smaller, and none where there is no picture") {
-  // Proves the data URI's header, JPEG signature and base64 padding, and that missing and invalid images give none. The
-  // reduced size is not tested.
+TEST_CASE("photographs are embedded, and none where there is no picture of the camera's size") {
+  // Proves the data URI's header, JPEG signature and base64 padding, and that missing, invalid and larger images give
+  // none. The reduced size of wide images is not tested.
   const CalibratedFolder calibrated{"images/large.png"};
   CHECK_FALSE(hasPhotograph(shown(calibrated.page())["pictures"][0]));
-  writeNoise(calibrated.captures() / "images/large.png", 1280, 960);
+  writeNoise(calibrated.captures() / "images/large.png", 640, 480);
   const std::string photograph = shown(calibrated.page())["pictures"][0]["photograph"];
   const std::string head = "data:image/jpeg;base64,";
   REQUIRE(photograph.starts_with(head));
@@ -100,14 +100,26 @@ TEST_CASE("photographs are embedded, made smaller, and none where there is no pi
   CHECK((photograph.size() - head.size()) % 4 == 0);
   writeAtomically(calibrated.captures() / "images/large.png", "this is no picture");
   CHECK_FALSE(hasPhotograph(shown(calibrated.page())["pictures"][0]));
+  writeNoise(calibrated.captures() / "images/large.png", 1280, 960);
+  CHECK_FALSE(hasPhotograph(shown(calibrated.page())["pictures"][0]));
 }
 
 TEST_CASE("a picture outside the set's folder is left where it is") {
-  // Proves that a foreign result file cannot embed private images into a page.
+  // Proves that a foreign result file cannot embed private images into a page, neither by its paths nor by links among
+  // the captures; a link within the set is followed, so the size of the image is not the reason.
   CalibratedFolder calibrated;
-  writeNoise(calibrated.captures() / ".." / "private.png", 64, 48);
+  writeNoise(calibrated.captures() / ".." / "private.png", 640, 480);
+  writeNoise(calibrated.captures() / "own.png", 640, 480);
   const std::string outside = (calibrated.captures() / ".." / "private.png").string();
-  for (const std::string& path : {std::string{"../private.png"}, outside}) {
+  std::filesystem::create_symlink("../private.png", calibrated.captures() / "link.png");
+  std::filesystem::create_symlink("..", calibrated.captures() / "up");
+  std::filesystem::create_symlink("own.png", calibrated.captures() / "within.png");
+  for (json& observation : calibrated.result["sightings"]) {
+    observation["image"] = "within.png";
+  }
+  CHECK(hasPhotograph(shown(calibrated.page())["pictures"][0]));
+  for (const std::string& path :
+       {std::string{"../private.png"}, outside, std::string{"link.png"}, std::string{"up/private.png"}}) {
     for (json& observation : calibrated.result["sightings"]) {
       observation["image"] = path;
     }

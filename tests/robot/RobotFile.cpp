@@ -219,6 +219,22 @@ TEST_CASE("a fault in a drawing with a base names both files") {
 TEST_CASE("an unknown model is refused with the list of the known ones") {
   // Proves it for the source tree's folder.
   CHECK_THROWS_WITH(loadRobot(drawings.parent_path(), "V9"), Catch::Contains("{V4, V5, V6}") && Catch::Contains("V9"));
+  CHECK_THROWS_WITH(loadRobot(drawings.parent_path(), "/../NaoV6"), Catch::Contains("found none of"));
+  CHECK_THROWS_WITH(
+      loadRobot(drawings.parent_path(), std::string(100'000, 'V')),
+      Catch::EndsWith("found none of \"" + std::string(60, 'V') +
+                      "...\"; name one of them, or set NAOCAL_CONFIGURATION to the configuration's folder"));
+}
+
+TEST_CASE("a drawing whose model is not that of its file's name is refused") {
+  // Proves it for a copy of one model under another's name: its numbers would pass for the other robot's.
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder.path() / "drawings");
+  std::filesystem::copy(drawings / "NaoV5.json", folder.path() / "drawings" / "NaoV5.json");
+  std::filesystem::copy(drawings / "NaoV5.json", folder.path() / "drawings" / "NaoV4.json");
+  CHECK(loadRobot(folder.path(), "V5").model == "V5");
+  CHECK_THROWS_WITH(loadRobot(folder.path(), "V4"),
+                    Catch::Contains("NaoV4.json: model: expected \"V4\", as in the file's name, found \"V5\""));
 }
 
 TEST_CASE("a file that is no drawing is refused by name") {

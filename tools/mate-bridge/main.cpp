@@ -3,6 +3,8 @@
 #include "analysis/Dataset.hpp"
 #include "server/PageFiles.hpp"
 
+#include "io/Failure.hpp"
+#include "io/Files.hpp"
 #include "io/InputError.hpp"
 #include "math/Parallel.hpp"
 
@@ -54,6 +56,7 @@ int main(int argc, char** argv) {
     app.parse(argc, argv);
     naocal::PanelOptions options{std::nullopt, robots, portOf(listen)};
     if (!session.empty()) {
+      naocal::removeAbandonedWritesOf(session);
       options.opened = naocal::openSession(sets, session);
     } else if (!sets.empty()) {
       options.opened = naocal::openDataset(sets);
@@ -71,9 +74,15 @@ int main(int argc, char** argv) {
     panel.run();
     return 0;
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "mate-bridge: {}\n", error.what());
+    if (error.get_exit_code() == 0) {
+      return app.exit(error); // --help, --version
+    }
+    fmt::print(stderr, "mate-bridge: {} (see 'mate-bridge --help')\n",
+               naocal::printableText(error.what(), naocal::longestSentence));
     return 2;
+  } catch (const std::exception& error) {
+    const naocal::Failure failure = naocal::describeFailure(error);
+    fmt::print(stderr, "mate-bridge: {}\n", naocal::printableText(failure.sentence, naocal::longestSentence));
+    return failure.exitCode;
   }
 }

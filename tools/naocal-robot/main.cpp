@@ -2,6 +2,8 @@
 #include "RobotProcess.hpp"
 #include "StateFolder.hpp"
 #include "hardware/simulated/SimulatedPlan.hpp"
+#include "io/Failure.hpp"
+#include "io/Files.hpp"
 #include "io/InputError.hpp"
 
 #include <CLI/CLI.hpp>
@@ -23,7 +25,7 @@ struct Options {
 
 /// Writes a sentence to standard error in one piece.
 void say(std::string_view sentence) {
-  std::clog << fmt::format("{}\n", sentence) << std::flush;
+  std::clog << fmt::format("{}\n", printableText(sentence)) << std::flush;
 }
 
 /// The calibration round of a recording; a single set is its own round.
@@ -82,6 +84,8 @@ int run(Options options) {
   if (options.process.state.empty()) {
     options.process.state = stateFolder();
   }
+  removeAbandonedWrites(options.process.state);
+  removeAbandonedWrites(options.process.recordings);
   say(fmt::format("What the robot learns is saved in {}.", options.process.state.string()));
   RobotProcess process{*hardware.robot, *hardware.cameras, hardware.drawing, *identity, options.process, say};
   std::atomic<bool> failed{false}, ended{false};
@@ -136,11 +140,20 @@ int main(int argc, char** argv) {
                  "of its sockets, instead of sdk.json's: debug one above it, configuration two")
       ->check(CLI::Range{1, 65533});
   app.add_option("--location", options.process.location, "layer of the configuration beside the default");
-  CLI11_PARSE(app, argc, argv);
+  const auto fail = [](std::string_view sentence, int exitCode) {
+    naocal::say(fmt::format("naocal-robot: {}", naocal::printableText(sentence, naocal::longestSentence)));
+    return exitCode;
+  };
   try {
+    app.parse(argc, argv);
     return naocal::run(options);
+  } catch (const CLI::ParseError& error) {
+    return error.get_exit_code() == 0 ? app.exit(error) // --help, --version
+                                      : fail(fmt::format("{} (see 'naocal-robot --help')", error.what()), 2);
+  } catch (const naocal::ConfigurationError& error) {
+    return fail(error.what(), 2);
   } catch (const std::exception& error) {
-    std::cerr << "naocal-robot: " << error.what() << '\n';
-    return 2;
+    const naocal::Failure failure = naocal::describeFailure(error);
+    return fail(failure.sentence, failure.exitCode);
   }
 }

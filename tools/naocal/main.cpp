@@ -1,5 +1,6 @@
 #include "commands/Commands.hpp"
 
+#include "io/Failure.hpp"
 #include "io/InputError.hpp"
 #include "math/Parallel.hpp"
 
@@ -35,6 +36,7 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   app.footer("Example: naocal simulate /tmp/set && naocal solve /tmp/set -o /tmp/result.json");
   int exitCode = 0;
+  constexpr std::size_t most = naocal::longestSentence;
   naocal::addSimulate(app);
   naocal::addDetect(app);
   naocal::addSolve(app, exitCode);
@@ -63,14 +65,13 @@ int main(int argc, char** argv) {
       at = at->get_subcommands().front();
       command += " " + at->get_name();
     }
-    fmt::print(stderr, "naocal: {} (see '{} --help')\n", error.what(), command);
-    return 2;
-  } catch (const naocal::InputError& error) {
-    fmt::print(stderr, "naocal: {}\n", error.what());
+    const std::string said = fmt::format("{} (see '{} --help')", naocal::printableText(error.what(), most), command);
+    fmt::print(stderr, "naocal: {}\n", said);
     return 2;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "naocal: {}\n", error.what());
-    return 1;
+    const naocal::Failure failure = naocal::describeFailure(error);
+    fmt::print(stderr, "naocal: {}\n", naocal::printableText(failure.sentence, most));
+    return failure.exitCode;
   }
   return exitCode;
 }

@@ -1,5 +1,6 @@
 #include "hardware/replay/ReplayTimeline.hpp"
 
+#include "data/CaptureSetFile.hpp"
 #include "io/GreyImage.hpp"
 #include "io/InputError.hpp"
 
@@ -21,21 +22,22 @@ constexpr Duration transfer = 25ms;                                  // from mid
 /// An image file, read on first access.
 class PictureFile : public ImageBytes {
 public:
-  PictureFile(std::filesystem::path file, std::size_t size) : file_{std::move(file)}, size_{size} {}
+  PictureFile(std::filesystem::path file, const PictureSize& described)
+      : file_{std::move(file)}, described_{described} {}
 
   std::span<const std::uint8_t> bytes() const override {
     std::call_once(read_, [this] {
       try {
-        bytes_ = readImage(file_).pixels;
-      } catch (const InputError&) { // removed since the replay began
+        bytes_ = readImage(file_, described_).pixels;
+      } catch (const InputError&) { // no picture of the camera's size, or removed since the replay began
       }
     });
-    return bytes_.size() == size_ ? std::span<const std::uint8_t>{bytes_} : std::span<const std::uint8_t>{};
+    return bytes_;
   }
 
 private:
   std::filesystem::path file_;
-  std::size_t size_;
+  PictureSize described_;
   mutable std::once_flag read_;
   mutable std::vector<std::uint8_t> bytes_;
 };
@@ -73,13 +75,12 @@ CameraFrame frameOf(const CaptureSet& set, const Capture& capture, const std::fi
                                  capture.image.empty() ? "corners alone" : "no file " + capture.image)};
   }
   const CameraIntrinsics& camera = set.cameras.at(capture.camera);
-  const std::size_t size = std::size_t(camera.width) * std::size_t(camera.height);
   CameraFrame frame;
   frame.camera = top ? CameraName::top : CameraName::bottom;
   frame.format = PixelFormat::grey;
   frame.width = camera.width;
   frame.height = camera.height;
-  frame.picture = std::make_shared<PictureFile>(folder / capture.image, size);
+  frame.picture = std::make_shared<PictureFile>(pictureFile(capture, folder), PictureSize{camera.width, camera.height});
   return frame;
 }
 

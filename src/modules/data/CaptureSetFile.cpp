@@ -473,7 +473,12 @@ LoadedCaptureSet parseCaptureSet(const std::string& text, const std::string& nam
   set.boards = readList(top.at("boards"), readBoard);
   requireDistinctMarkers(set.boards, top.at("boards"));
   set.stances = readList(top.at("stances"), readStance);
-  readCaptures(top.at("captures"), bad, read);
+  const JsonCursor captures = top.at("captures");
+  if (captures.value().size() > mostCaptures) {
+    captures.refuse(fmt::format("at most {} captures in a set; split it into several", mostCaptures),
+                    fmt::format("{}", captures.value().size()));
+  }
+  readCaptures(captures, bad, read);
   return read;
 }
 
@@ -507,6 +512,16 @@ void writeCaptureSet(const CaptureSet& set, const std::filesystem::path& folder)
         fmt::format("{}: the folder cannot be made: {}; choose another place", folder.string(), error.message())};
   }
   writeAtomically(folder / "captures.json", formatCaptureSet(set));
+}
+
+std::filesystem::path pictureFile(const Capture& capture, const std::filesystem::path& folder) {
+  const auto file = fileInside(folder, capture.image);
+  if (!file) {
+    throw InputError{fmt::format("{}: expected a picture within the set's folder, found a path out of it; copy the "
+                                 "picture into the set",
+                                 (folder / capture.image).string())};
+  }
+  return *file;
 }
 
 } // namespace naocal

@@ -9,6 +9,8 @@
 
 namespace naocal {
 
+inline constexpr std::size_t mostCaptures = 20'000; // of one set
+
 /// Treatment of unusable captures: refuse the set, or skip and list them (a set with skipped captures must not
 /// overwrite its source).
 enum class BadCapturePolicy { refuse, skip };
@@ -31,6 +33,9 @@ std::string formatCaptureSet(const CaptureSet& set);
 
 /// Writes `<folder>/captures.json` atomically; creates the folder.
 void writeCaptureSet(const CaptureSet& set, const std::filesystem::path& folder);
+
+/// The file of a capture's picture. Throws InputError if its path leads out of the set's folder, also by links.
+std::filesystem::path pictureFile(const Capture& capture, const std::filesystem::path& folder);
 
 /// Values in the file, in the order of the enums.
 inline const std::vector<std::string_view> supportFootWords{"left", "right", "both", "none"};

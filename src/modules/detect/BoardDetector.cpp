@@ -1,6 +1,7 @@
 #include "detect/BoardDetector.hpp"
 
 #include "data/Board.hpp"
+#include "data/CaptureSetFile.hpp"
 #include "detect/BoardSearch.hpp"
 #include "detect/CornerRefinement.hpp"
 #include "detect/LensDistortion.hpp"
@@ -173,14 +174,9 @@ struct Outcome {
 
 Outcome detectInCapture(const Capture& capture, const CaptureSet& set, const std::filesystem::path& folder) {
   try {
-    const Detection detection =
-        detectBoards(readImage(folder / capture.image), set.boards, set.cameras.at(capture.camera));
-    for (const DetectionIssue& finding : detection.findings) {
-      if (finding.kind == IssueKind::wrongImageSize) {
-        return {std::nullopt, fmt::format("capture {}: {}: {}", capture.id, capture.image, finding.sentence)};
-      }
-    }
-    return {detection, {}};
+    const CameraIntrinsics& camera = set.cameras.at(capture.camera);
+    const GreyPicture picture = readImage(pictureFile(capture, folder), PictureSize{camera.width, camera.height});
+    return {detectBoards(picture, set.boards, camera), {}};
   } catch (const InputError& error) {
     return {std::nullopt, fmt::format("capture {}: {}", capture.id, error.what())};
   }

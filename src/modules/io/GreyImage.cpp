@@ -21,12 +21,35 @@ bool isPossible(std::int64_t width, std::int64_t height) {
   return width > 0 && height > 0 && width <= most && height <= most && width * height <= most;
 }
 
+/// Reads a PNG's header into `image`; false if it is none or impossible.
+bool beginPng(std::string_view content, png_image& image) {
+  image.version = PNG_IMAGE_VERSION;
+  return png_image_begin_read_from_memory(&image, content.data(), content.size()) != 0 &&
+         isPossible(image.width, image.height);
+}
+
+using PngFreed = std::unique_ptr<png_image, decltype(&png_image_free)>;
+
+std::optional<PictureSize> pngSize(std::string_view content) {
+  png_image image{};
+  const PngFreed freed{&image, png_image_free};
+  return beginPng(content, image)
+             ? std::optional{PictureSize{static_cast<int>(image.width), static_cast<int>(image.height)}}
+             : std::nullopt;
+}
+
+std::optional<PictureSize> jpegSize(const TurboJpeg& turbo, std::string_view content) {
+  PictureSize size{};
+  int subsampling = 0, colours = 0;
+  const bool read = tjDecompressHeader3(turbo.get(), reinterpret_cast<const unsigned char*>(content.data()),
+                                        content.size(), &size.width, &size.height, &subsampling, &colours) == 0;
+  return read && isPossible(size.width, size.height) ? std::optional{size} : std::nullopt;
+}
+
 std::optional<GreyPicture> decodePng(std::string_view content) {
   png_image image{};
-  image.version = PNG_IMAGE_VERSION;
-  const std::unique_ptr<png_image, decltype(&png_image_free)> freed{&image, png_image_free};
-  if (png_image_begin_read_from_memory(&image, content.data(), content.size()) == 0 ||
-      !isPossible(image.width, image.height)) {
+  const PngFreed freed{&image, png_image_free};
+  if (!beginPng(content, image)) {
     return std::nullopt;
   }
   const bool coloured = (image.format & (PNG_FORMAT_FLAG_COLOR | PNG_FORMAT_FLAG_COLORMAP)) != 0;
@@ -51,19 +74,25 @@ std::optional<GreyPicture> decodePng(std::string_view content) {
 std::optional<GreyPicture> decodeJpeg(std::string_view content) {
   const TurboJpeg turbo{tjInitDecompress(), tjDestroy};
   const auto* bytes = reinterpret_cast<const unsigned char*>(content.data());
-  GreyPicture result;
-  int subsampling = 0, colours = 0;
-  if (tjDecompressHeader3(turbo.get(), bytes, content.size(), &result.width, &result.height, &subsampling, &colours) !=
-          0 ||
-      !isPossible(result.width, result.height)) {
+  const auto size = jpegSize(turbo, content);
+  if (!size) {
     return std::nullopt;
   }
+  GreyPicture result{size->width, size->height, {}};
   result.pixels.resize(std::size_t(result.width) * std::size_t(result.height));
   // libjpeg only warns about a truncated file and fills the rest with grey
   return tjDecompress2(turbo.get(), bytes, content.size(), result.pixels.data(), result.width, 0, result.height,
                        TJPF_GRAY, TJFLAG_STOPONWARNING | TJFLAG_ACCURATEDCT) == 0
              ? std::optional{std::move(result)}
              : std::nullopt;
+}
+
+bool isPng(std::string_view content) {
+  return content.starts_with("\x89PNG");
+}
+
+[[noreturn]] void refusePicture(const std::string& name) {
+  throw InputError{fmt::format("{}: expected a whole picture (.png or .jpg), but it could not be read as one", name)};
 }
 
 /// Low-level PNG encoder: three times faster on noisy pictures than libpng's simplified interface. False if libpng
@@ -95,18 +124,34 @@ bool encodeAsPng(const GreyPicture& picture, std::string& content) {
 
 } // namespace
 
-GreyPicture decodeImage(std::string_view content, const std::string& name) {
-  if (auto picture = content.starts_with("\x89PNG") ? decodePng(content) : decodeJpeg(content)) {
-    return *std::move(picture);
+PictureSize imageSize(std::string_view content, const std::string& name) {
+  const auto size = isPng(content) ? pngSize(content) : jpegSize({tjInitDecompress(), tjDestroy}, content);
+  if (!size) {
+    refusePicture(name);
   }
-  throw InputError{fmt::format("{}: expected a whole picture (.png or .jpg), but it could not be read as one", name)};
+  return *size;
 }
 
-GreyPicture readImage(const std::filesystem::path& file) {
+GreyPicture decodeImage(std::string_view content, const std::string& name,
+                        const std::optional<PictureSize>& described) {
+  if (described) {
+    if (const PictureSize size = imageSize(content, name); size != *described) {
+      throw InputError{fmt::format("{}: the picture has {} x {} pixels, but its camera is described with {} x {}", name,
+                                   size.width, size.height, described->width, described->height)};
+    }
+  }
+  auto picture = isPng(content) ? decodePng(content) : decodeJpeg(content);
+  if (!picture) {
+    refusePicture(name);
+  }
+  return *std::move(picture);
+}
+
+GreyPicture readImage(const std::filesystem::path& file, const std::optional<PictureSize>& described) {
   if (!std::filesystem::exists(file)) {
     throw InputError{fmt::format("{}: a picture was expected, but there is no such file", file.string())};
   }
-  return decodeImage(readFile(file), file.string());
+  return decodeImage(readFile(file), file.string(), described);
 }
 
 std::string encodePng(const GreyPicture& picture) {

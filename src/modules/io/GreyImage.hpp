@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -23,11 +24,23 @@ inline std::uint8_t luma(const std::uint8_t* rgb) {
   return static_cast<std::uint8_t>((299 * rgb[0] + 587 * rgb[1] + 114 * rgb[2] + 500) / 1000);
 }
 
+/// Width and height of a picture.
+struct PictureSize {
+  int width, height; // [px]
+  friend bool operator==(const PictureSize&, const PictureSize&) = default;
+};
+
+/// The size that a PNG's or JPEG's header announces; nothing is decoded. Throws InputError naming the picture if there
+/// is no such header, or for more than 64 million pixels.
+PictureSize imageSize(std::string_view content, const std::string& name);
+
 /// Decodes the grey levels of a PNG or JPEG; converts colours to luma and transparent pixels to white. Throws
-/// InputError naming the picture if the format is unknown, the content is truncated, or it exceeds 64 million pixels.
-GreyPicture decodeImage(std::string_view content, const std::string& name);
+/// InputError naming the picture if the format is unknown, the content is truncated, it exceeds 64 million pixels, or
+/// its header announces another size than its camera's (`described`); that is checked before anything is decoded.
+GreyPicture decodeImage(std::string_view content, const std::string& name,
+                        const std::optional<PictureSize>& described = std::nullopt);
 /// The same of a file. Throws InputError also if it cannot be read.
-GreyPicture readImage(const std::filesystem::path& file);
+GreyPicture readImage(const std::filesystem::path& file, const std::optional<PictureSize>& described = std::nullopt);
 
 /// Encodes as PNG (lossless).
 std::string encodePng(const GreyPicture& picture);

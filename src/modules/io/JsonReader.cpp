@@ -198,7 +198,14 @@ std::string JsonCursor::text() const {
   if (!value_->is_string() || value_->get_ref<const std::string&>().empty()) {
     refuse("a text that is not empty");
   }
-  return value_->get<std::string>();
+  const auto& text = value_->get_ref<const std::string&>();
+  if (text.size() > longestText) {
+    refuse(fmt::format("a text of at most {} bytes", longestText), fmt::format("one of {}", text.size()));
+  }
+  if (text.find('\0') != std::string::npos) { // would end the text for libraries in C
+    refuse("a text without zero bytes");
+  }
+  return text;
 }
 
 bool JsonCursor::boolean() const {

@@ -18,6 +18,7 @@ struct Range {
   std::string_view unit;
 };
 inline constexpr Range anyNumber{-1e15, 1e15, ""};
+inline constexpr std::size_t longestText = 10'000; // [bytes] of a name, an expression or a sentence
 inline constexpr int maxInteger = std::numeric_limits<int>::max();
 
 /// A place in a JSON document with its path, for error messages (InputError) with file, path, expected and found. The
@@ -39,7 +40,7 @@ public:
   std::vector<std::pair<std::string, JsonCursor>> members() const;
 
   /// The value here. Throws InputError if it has another type or is out of range.
-  std::string text() const; // not empty
+  std::string text() const; // not empty, at most `longestText`, without zero bytes
   bool boolean() const;
   int integer(int lowest, int highest) const;
   double number(const Range& range) const;

@@ -56,7 +56,7 @@ json picturesJson(const std::vector<PictureRecord>& seen, const SourceCaptures& 
       picture["angles"][joint] = roundToDecimals(degrees(angle), 2);
     }
     if (const auto file = photographs < mostPhotographs ? sources.image(one) : std::nullopt) {
-      if (auto photograph = makeThumbnail(*file)) {
+      if (auto photograph = makeThumbnail(*file, {one.width, one.height})) {
         photographs += photograph->size();
         picture["photograph"] = std::move(*photograph);
       }

@@ -170,14 +170,10 @@ std::map<std::string, double> SourceCaptures::angles(const PictureRecord& pictur
 
 std::optional<fs::path> SourceCaptures::image(const PictureRecord& picture) const {
   const auto source = unchanged_.find(picture.set);
-  const fs::path inside = picture.image;
-  if (source == unchanged_.end() || inside.empty() || inside.is_absolute() ||
-      std::find(inside.begin(), inside.end(), "..") != inside.end()) {
-    return std::nullopt;
-  }
-  const fs::path file = source->second.folder / inside;
+  const auto file =
+      source == unchanged_.end() ? std::nullopt : fileInside(source->second.folder, fs::path{picture.image});
   std::error_code ignored;
-  return fs::is_regular_file(file, ignored) ? std::optional{file} : std::nullopt;
+  return file && fs::is_regular_file(*file, ignored) ? file : std::nullopt;
 }
 
 std::optional<double> SourceCaptures::nominalRms() const {
@@ -196,17 +192,17 @@ std::optional<double> SourceCaptures::nominalRms() const {
   }
 }
 
-std::optional<std::string> makeThumbnail(const std::filesystem::path& file) {
+std::optional<std::string> makeThumbnail(const std::filesystem::path& file, const PictureSize& described) {
   constexpr int widest = 640; // [px]
   try {
-    GreyPicture picture = readImage(file);
+    GreyPicture picture = readImage(file, described);
     cv::Mat grey{picture.height, picture.width, CV_8UC1, picture.pixels.data()};
     if (grey.cols > widest) {
       const double scale = static_cast<double>(widest) / grey.cols;
       cv::resize(grey, grey, {widest, std::max(1, cvRound(scale * grey.rows))}, 0, 0, cv::INTER_AREA);
     }
     return "data:image/jpeg;base64," + base64(encodeJpeg({grey.data, grey.total()}, grey.cols, grey.rows, 70));
-  } catch (const InputError&) { // missing or broken file: no thumbnail
+  } catch (const InputError&) { // missing, broken or of another size: no thumbnail
     return std::nullopt;
   }
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "data/Capture.hpp"
+#include "io/GreyImage.hpp"
 #include "io/JsonReader.hpp"
 
 #include <Eigen/Core>
@@ -50,7 +51,8 @@ public:
   /// Joint readings of an image by joint name [rad]; empty if its set is unavailable or has changed.
   std::map<std::string, double> angles(const PictureRecord& picture) const;
 
-  /// The stored file of an image; absent if its set is unavailable or has changed.
+  /// The stored file of an image; absent if its set is unavailable or has changed, or if the path leads out of the
+  /// set's folder.
   std::optional<std::filesystem::path> image(const PictureRecord& picture) const;
 
   /// RMS error of the corners with the drawing alone, floor boards fitted [px]. Absent if a set is unavailable or has
@@ -69,7 +71,7 @@ private:
   std::vector<std::string> missing_;
 };
 
-/// An image as a data URI: grey, JPEG, at most 640 px wide. Absent if the file is not an image.
-std::optional<std::string> makeThumbnail(const std::filesystem::path& file);
+/// An image as a data URI: grey, JPEG, at most 640 px wide. Absent if the file is not an image of the described size.
+std::optional<std::string> makeThumbnail(const std::filesystem::path& file, const PictureSize& described);
 
 } // namespace naocal

@@ -400,9 +400,8 @@ Robot loadRobot(const std::filesystem::path& drawing) {
 
 Robot loadRobot(const std::filesystem::path& configuration, std::string_view model) {
   const auto drawings = configuration / "drawings";
-  const auto drawing = drawings / fmt::format("Nao{}.json", model);
-  if (!std::filesystem::exists(drawing)) {
-    const std::vector<std::string> known = models(drawings);
+  const std::vector<std::string> known = models(drawings);
+  if (std::find(known.begin(), known.end(), model) == known.end()) {
     throw InputError{
         known.empty()
             ? fmt::format("{}: expected drawings of robots, found none; set NAOCAL_CONFIGURATION to the "
@@ -410,9 +409,16 @@ Robot loadRobot(const std::filesystem::path& configuration, std::string_view mod
                           drawings.string())
             : fmt::format("{}: expected a drawing of one of the robots {{{}}}, found none of \"{}\"; name one "
                           "of them, or set NAOCAL_CONFIGURATION to the configuration's folder",
-                          drawings.string(), fmt::join(known, ", "), model)};
+                          drawings.string(), fmt::join(known, ", "), printableText(model, 60))};
   }
-  return loadRobot(drawing);
+  const auto drawing = drawings / fmt::format("Nao{}.json", model);
+  Robot robot = loadRobot(drawing);
+  if (robot.model != model) {
+    throw InputError{fmt::format("{}: model: expected \"{}\", as in the file's name, found \"{}\"; rename the file or "
+                                 "correct the model",
+                                 drawing.string(), model, printableText(robot.model, 60))};
+  }
+  return robot;
 }
 
 } // namespace naocal

@@ -1,3 +1,4 @@
+#include "ConfigNumbers.hpp"
 #include "framework/ShownRobot.hpp"
 
 #include <catch2/catch.hpp>
@@ -6,8 +7,6 @@ namespace naocal {
 namespace {
 
 using nlohmann::json;
-
-enum { set, getMounts, getKeys, save, sendKeys, sendMounts }; // message types of the protocol
 
 json change(const char* mount, const char* key, const json& value) {
   return {{{"mp", mount}, {"key", key}, {"value", value}}};
@@ -197,6 +196,7 @@ TEST_CASE("whoever has not sent the secret keeps no place from those who have it
   // theirs.
   SocketSettings two = wide("open sesame");
   two.maxClients = 2;
+  two.keptPlaces = 0;
   ShownRobot robot{two};
   const auto answers = [](MateClient& client) { return keysOf(client, "Brain.Counter").contains("factor"); };
   std::vector<MateClient> strangers;

@@ -34,15 +34,18 @@ struct OnePlace {
   alignas(QuietPeer) std::byte memory[sizeof(QuietPeer)];
 };
 
-/// Protocol that counts frames of open and of closed clients.
+/// Protocol that counts frames of open and of closed clients. They may be silent if `isPatient`.
 struct Counted : Protocol {
   const FrameFormat& format() const override { return debugFormat; }
   void onOpened(Peer&) override {}
   void onReceived(Peer&, std::uint8_t, std::string) override { ++(isClosed ? late : timely); }
   void onClosed(Peer&) override { isClosed = true; }
   bool isTrusted(const Peer&) const override { return true; }
+  bool needsSecret(const std::string&) const override { return false; }
+  bool isInUse(const Peer&) const override { return false; }
+  bool mayBeSilent(const Peer&) const override { return isPatient; }
   int timely = 0, late = 0;
-  bool isClosed = false;
+  bool isClosed = false, isPatient = false;
 };
 
 /// A connection with one pending frame, driven step by step.
@@ -95,6 +98,33 @@ TEST_CASE("a frame that was read before its connection ended is dropped") {
   }
 }
 
+TEST_CASE("a connection without a message in time is closed") {
+  // Proves both limits at their boundary, with given times, and that a client that may be silent is not closed. Half a
+  // message is none.
+  const ClientLimits limits;
+  const auto soon = std::chrono::milliseconds{1};
+  SteppedConnection one;
+  const TimePoint start = one.connection->lastMessage();
+  one.connection->closeIfSilent(start + limits.firstMessage - soon);
+  CHECK_FALSE(one.protocol.isClosed);
+  one.connection->closeIfSilent(start + limits.firstMessage);
+  CHECK(one.protocol.isClosed);
+  for (const bool isPatient : {false, true}) {
+    SteppedConnection other;
+    other.protocol.isPatient = isPatient;
+    while (other.protocol.timely == 0) {
+      REQUIRE(other.context.run_one() == 1);
+    }
+    const TimePoint heard = other.connection->lastMessage();
+    REQUIRE(::send(other.ends[1], "DMSG", 4, MSG_NOSIGNAL) == 4);
+    other.context.poll();
+    other.connection->closeIfSilent(heard + limits.rest - soon);
+    CHECK_FALSE(other.protocol.isClosed);
+    other.connection->closeIfSilent(heard + limits.rest);
+    CHECK(other.protocol.isClosed == !isPatient);
+  }
+}
+
 TEST_CASE("a debug client that has left wants nothing any more, whatever still comes from it") {
   // Proves it for every kind of request, at the server itself; the next cycle would write to freed memory.
   ShownRobot robot;
@@ -131,13 +161,16 @@ TEST_CASE("a client at the address in memory of one that showed the secret has n
   server.onOpened(*late);
   server.onClosed(*late);
   server.onReceived(*late, 0, secretMessage("open sesame"));
+  server.continueMessage(*late);
   server.onReceived(*late, 0, leaving.dump());
+  server.continueMessage(*late);
   CHECK_FALSE(access.isOpen(late->address()));
   late.reset();
   auto forgotten = place.next();
   server.onOpened(*forgotten);
   CHECK_FALSE(server.isTrusted(*forgotten));
   server.onReceived(*forgotten, 0, secretMessage("open sesame"));
+  server.continueMessage(*forgotten);
   CHECK(server.isTrusted(*forgotten));
   forgotten.reset();
   auto stranger = place.next();
@@ -145,6 +178,67 @@ TEST_CASE("a client at the address in memory of one that showed the secret has n
   CHECK_FALSE(server.isTrusted(*stranger));
   server.onClosed(*stranger);
   CHECK(robot.readKeys("Brain.Counter")["factor"] == 0.5);
+}
+
+TEST_CASE("a message with many settings lets other clients in between") {
+  // Proves, at the server itself, that a message of the largest number is set in parts, that another client's setting
+  // takes effect between them, and that a message with one more is refused as a whole.
+  ConfiguredRobot robot;
+  robot.file("default/head/default/Counter.json", R"({"factor": 0.5, "gain": 1})");
+  robot.configuration.mount("Brain.Counter", "Counter.json", RobotPart::head);
+  Access access{{}};
+  ConfigServer server{robot.configuration, access, [](std::string_view) {}};
+  const auto messageOf = [](std::size_t settings) {
+    json message = json::array();
+    for (std::size_t i = 1; i <= settings; ++i) {
+      message.push_back({{"mp", "Brain.Counter"}, {"key", "factor"}, {"value", i}});
+    }
+    return message.dump();
+  };
+  const auto busy = std::make_shared<QuietPeer>(), other = std::make_shared<QuietPeer>();
+  server.onOpened(*busy);
+  server.onOpened(*other);
+  server.onReceived(*busy, 0, messageOf(ConfigServer::mostSettings));
+  REQUIRE(server.continueMessage(*busy));
+  CHECK(robot.readKeys("Brain.Counter")["factor"] == ConfigServer::settingsPerTurn);
+  server.onReceived(*other, 0, R"([{"mp": "Brain.Counter", "key": "gain", "value": 2}])");
+  CHECK_FALSE(server.continueMessage(*other));
+  CHECK(robot.readKeys("Brain.Counter")["gain"] == 2);
+  std::size_t turns = 2;
+  while (server.continueMessage(*busy)) {
+    ++turns;
+  }
+  CHECK(turns == ConfigServer::mostSettings / ConfigServer::settingsPerTurn);
+  CHECK(robot.readKeys("Brain.Counter")["factor"] == ConfigServer::mostSettings);
+  CHECK_THROWS_WITH(server.onReceived(*busy, 0, messageOf(ConfigServer::mostSettings + 1)),
+                    "expected at most 1000 settings in a message, found 1001");
+  CHECK_FALSE(server.continueMessage(*busy));
+}
+
+TEST_CASE("a last will is bounded") {
+  // Proves the number of its settings at the boundary; beyond it the earlier will remains.
+  ConfiguredRobot robot;
+  robot.file("default/head/default/Counter.json", R"({"factor": 0.5})");
+  robot.configuration.mount("Brain.Counter", "Counter.json", RobotPart::head);
+  Access access{{}};
+  std::vector<std::string> sentences;
+  ConfigServer server{robot.configuration, access,
+                      [&](std::string_view sentence) { sentences.emplace_back(sentence); }};
+  const auto peer = std::make_shared<QuietPeer>();
+  server.onOpened(*peer);
+  const auto leave = [&](std::size_t settings, double value) {
+    const json last(settings, {{"mp", "Brain.Counter"}, {"key", "factor"}, {"value", value}});
+    server.onReceived(*peer, 0, json{{{"mp", "naocal.configuration"}, {"key", "lastWill"}, {"value", last}}}.dump());
+    server.continueMessage(*peer);
+  };
+  leave(ConfigServer::mostWillSettings, 3);
+  CHECK(server.isInUse(*peer));
+  CHECK(sentences.empty());
+  leave(ConfigServer::mostWillSettings + 1, 4);
+  REQUIRE(sentences.size() == 1);
+  CHECK(sentences[0].find("expected at most 100 settings in a last will, found 101") != std::string::npos);
+  server.onClosed(*peer);
+  CHECK(robot.readKeys("Brain.Counter")["factor"] == 3);
 }
 
 TEST_CASE("clients that come, ask and leave at once leave nothing behind while values flow", "[slow]") {

@@ -87,10 +87,14 @@ TEST_CASE("random bytes and broken frames never stop the servers") {
 
 TEST_CASE("there are limits on clients and on what one may ask per second") {
   // Proves both limits, with their messages; a client that disconnects makes room.
-  ShownRobot robot{{.maxClients = 2, .messagesPerSecond = 50}};
+  ShownRobot robot{{.maxClients = 2, .messagesPerSecond = 50, .keptPlaces = 0}};
   auto first = robot.debug();
+  first.send(0, "Brain.count");
+  first.send(3);
+  CHECK(first.receive(4));
   {
     auto second = robot.debug();
+    second.send(0, "Brain.count");
     second.send(3);
     CHECK(second.receive(4));
     auto third = robot.debug();

@@ -23,13 +23,9 @@ constexpr std::string_view fitting = "fitting";
 std::map<std::string, std::filesystem::path> imagesOf(const Dataset& opened) {
   std::map<std::string, std::filesystem::path> images;
   for (const CaptureSet& set : opened.sets) {
-    std::error_code ignored; // an invalid path is no image
-    const std::filesystem::path folder = std::filesystem::weakly_canonical(opened.folders.at(set.name), ignored);
     for (const Capture& capture : set.captures) {
-      const std::filesystem::path file = std::filesystem::weakly_canonical(folder / capture.image, ignored);
-      const std::string inside = file.lexically_relative(folder).string();
-      if (!capture.image.empty() && !file.empty() && !inside.starts_with("..")) {
-        images[fmt::format("{}/{}", set.name, capture.id)] = file;
+      if (const auto file = fileInside(opened.folders.at(set.name), capture.image)) {
+        images[fmt::format("{}/{}", set.name, capture.id)] = *file;
       }
     }
   }

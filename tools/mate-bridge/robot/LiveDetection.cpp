@@ -87,7 +87,10 @@ struct LiveDetection::VisibleBoard {
       std::unique_lock lock{mutex};
       const std::vector<Board> described = boards;
       lock.unlock();
-      for (const BoardCorners& seen : detectBoards(decodeImage(image, "a live picture"), described, eye.lens).boards) {
+      for (const BoardCorners& seen :
+           detectBoards(decodeImage(image, "a live picture", PictureSize{eye.lens.width, eye.lens.height}), described,
+                        eye.lens)
+               .boards) {
         lock.lock();
         const auto predicted = places.update(seen, eye);
         lock.unlock();

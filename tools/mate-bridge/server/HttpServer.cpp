@@ -55,7 +55,7 @@ RequestInfo requestInfo(const HttpExchange& exchange) {
       headerOf(request, "Sec-Fetch-Mode") == "navigate" && headerOf(request, "Sec-Fetch-Dest") == "document";
   return {{method.data(), method.size()},
           {target.data(), target.size()},
-          headerOf(request, "Host"),
+          request.count(http::field::host) == 1 ? headerOf(request, "Host") : std::string_view{}, // two: ambiguous
           headerOf(request, "Origin"),
           headerOf(request, "Sec-Fetch-Site"),
           beast::websocket::is_upgrade(request),
@@ -110,9 +110,6 @@ private:
   bool open_ = true;
 };
 
-constexpr std::size_t mostReceived = 1 << 20; // [bytes] per message from a panel
-constexpr std::size_t mostSkippable = 2 << 20, mostOwed = 256 << 20;
-
 WebSocketSession::WebSocketSession(boost::beast::tcp_stream stream, Received received, Closed closed)
     : socket_{std::move(stream)}, received_{std::move(received)}, closed_{std::move(closed)} {}
 
@@ -121,7 +118,7 @@ void WebSocketSession::accept(const boost::beast::http::request<boost::beast::ht
   boost::beast::get_lowest_layer(socket_).expires_never();
   socket_.set_option(
       boost::beast::websocket::stream_base::timeout::suggested(boost::beast::role_type::server)); // enables pings
-  socket_.read_message_max(mostReceived);
+  socket_.read_message_max(mostPanelMessage);
   socket_.async_accept(request,
                        [self = shared_from_this(), opened = std::move(opened)](boost::beast::error_code error) {
                          if (error) {
@@ -149,11 +146,11 @@ void WebSocketSession::read() {
 }
 
 void WebSocketSession::send(const Message& message) {
-  if (!open_ || (message.skippable && owed_ > mostSkippable)) {
+  if (!open_ || (message.skippable && owed_ > mostPanelSkippable)) {
     return;
   }
   owed_ += message.bytes->size();
-  if (owed_ > mostOwed) {
+  if (owed_ > mostPanelPending) {
     end();
     return;
   }
@@ -225,9 +222,15 @@ struct HttpServer::Implementation : std::enable_shared_from_this<Implementation>
   }
 
   void read(const std::shared_ptr<HttpExchange>& exchange) {
-    exchange->stream.expires_after(std::chrono::seconds{30});
+    if (reading.size() >= mostRequests) { // idle connections must not use up the process's descriptors
+      reading.front()->stream.close();
+      reading.pop_front();
+    }
+    reading.push_back(exchange);
+    exchange->stream.expires_after(longestRequest);
     http::async_read(exchange->stream, exchange->buffer, exchange->parser,
                      [self = shared_from_this(), exchange](beast::error_code error, std::size_t) {
+                       std::erase(self->reading, exchange);
                        if (!error) {
                          self->answer(exchange);
                        }
@@ -240,6 +243,9 @@ struct HttpServer::Implementation : std::enable_shared_from_this<Implementation>
       sendReply(exchange, {refusal->status, "text/plain; charset=utf-8", refusal->sentence + "\n"});
     } else if (!asked.live) {
       sendReply(exchange, calls.file(guard.pathOf(asked.target)));
+    } else if (guard.pathOf(asked.target) == "live" && panels.size() >= mostPanels) {
+      sendReply(exchange, {503, "text/plain; charset=utf-8",
+                           fmt::format("The panel is open {} times already, which is the limit.\n", mostPanels)});
     } else if (guard.pathOf(asked.target) == "live") {
       welcome(exchange);
     } else {
@@ -268,6 +274,7 @@ struct HttpServer::Implementation : std::enable_shared_from_this<Implementation>
   boost::asio::steady_timer pause;
   RequestGuard guard;
   ServerCallbacks calls;
+  std::deque<std::shared_ptr<HttpExchange>> reading; // oldest first
   std::map<std::size_t, std::shared_ptr<WebSocketSession>> panels;
   std::size_t next = 0;
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -35,6 +36,13 @@ struct ServerCallbacks {
   std::function<void(std::size_t panel)> opened, closed;
   std::function<void(std::size_t panel, std::string text)> received;
 };
+
+inline constexpr std::size_t mostRequests = 128;           // read at once; beyond, the oldest one is closed
+inline constexpr std::chrono::seconds longestRequest{10};  // from the connection to the end of the response
+inline constexpr std::size_t mostPanels = 16;              // live connections; beyond, status 503
+inline constexpr std::size_t mostPanelMessage = 1 << 20;   // [bytes] of a message from a panel
+inline constexpr std::size_t mostPanelSkippable = 2 << 20; // [bytes] queued for a panel; beyond, images are left out
+inline constexpr std::size_t mostPanelPending = 256 << 20; // [bytes] queued for a panel; beyond, it is closed
 
 /// Serves the page and its WebSockets on 127.0.0.1; RequestGuard filters requests.
 class HttpServer {

@@ -3,6 +3,7 @@
 #include "console/OutputFiles.hpp"
 #include "console/PrintCalibration.hpp"
 #include "console/PrintDiagnosis.hpp"
+#include "console/PrintText.hpp"
 #include "console/Progress.hpp"
 
 #include "data/CaptureSetFile.hpp"
@@ -55,7 +56,7 @@ std::optional<Simulation> robotWithPictures(const DemoCommand& command, const Ro
 /// Prints truth and estimates; returns how many true values lie inside their 95 % intervals, and the number of values.
 std::pair<std::size_t, std::size_t> printTruth(const Truth& truth, const Model& model,
                                                const CalibrationResult& result) {
-  fmt::print("\n  {:<34} {:>12} {:>12} {:>11}\n", "unknown", "truth", "estimate", "± 1 sigma");
+  printText("\n  {:<34} {:>12} {:>12} {:>11}\n", "unknown", "truth", "estimate", "± 1 sigma");
   std::size_t inside = 0, all = 0;
   for (const Term& term : model.terms()) {
     for (std::size_t i = 0; i < term.effect.unknowns.size() && term.requested; ++i) {
@@ -70,10 +71,10 @@ std::pair<std::size_t, std::size_t> printTruth(const Truth& truth, const Model& 
       ++all;
       inside += isInside;
       const auto [unit, scale] = displayUnit(unknown.unit);
-      fmt::print("  {:<34} {:>9.3f}{:<6} {:>9.3f}    {:>8.3f}{}\n",
-                 term.effect.name == effectName::jointOffset ? term.placeName : term.label() + " " + unknown.name,
-                 scale * *value, appendUnit("", unit), scale * estimate.best(), scale * estimate.bestSigma(),
-                 isInside ? "" : "  outside 95 %");
+      printText("  {:<34} {:>9.3f}{:<6} {:>9.3f}    {:>8.3f}{}\n",
+                term.effect.name == effectName::jointOffset ? term.placeName : term.label() + " " + unknown.name,
+                scale * *value, appendUnit("", unit), scale * estimate.best(), scale * estimate.bestSigma(),
+                isInside ? "" : "  outside 95 %");
     }
   }
   return {inside, all};
@@ -104,12 +105,12 @@ int demo(const DemoCommand& command) {
   const std::string set = (folder / "captures").string();
   requireReplaceableSet(set);
   const Robot robot = loadRobot(configurationDirectory(), "V6");
-  fmt::print("A simulated {} with joints off by up to 6.5° and cameras by up to 2° looks at four printed boards.\n"
-             "Something else in its leg is not as drawn. What is it?\n",
-             robot.model);
+  printText("A simulated {} with joints off by up to 6.5° and cameras by up to 2° looks at four printed boards.\n"
+            "Something else in its leg is not as drawn. What is it?\n",
+            robot.model);
   Truth truth;
   if (!takeCaptures(command, robot, set, truth)) {
-    fmt::print("stopped\n");
+    printText("stopped\n");
     return 0;
   }
   const LoadedSets given = loadSets({set}, false);
@@ -125,16 +126,16 @@ int demo(const DemoCommand& command) {
   const CalibrationResult result = calibrate(measurements, model);
   const std::string resultFile = (folder / "result.json").string(), reportFile = (folder / "report.html").string();
   writeJson(resultJson({measurements, model, result}, given.inputs), resultFile);
-  fmt::print("\nCalibrated {}:\n", diagnosis.suggested.empty() ? "as it is, nothing added" : "with that added");
+  printText("\nCalibrated {}:\n", diagnosis.suggested.empty() ? "as it is, nothing added" : "with that added");
   printCalibration({measurements, model, result});
   const TrueEffect& hidden = truth.effects.back();
-  fmt::print("\nNow the truth is opened. Hidden was {}@{}.\n", hidden.effect, hidden.at);
+  printText("\nNow the truth is opened. Hidden was {}@{}.\n", hidden.effect, hidden.at);
   const auto [inside, all] = printTruth(truth, model, result);
-  fmt::print("\n{} of {} true values lie within their 95 % intervals.\n", inside, all);
+  printText("\n{} of {} true values lie within their 95 % intervals.\n", inside, all);
   writePage(reportFile, renderReport(resultFile));
-  fmt::print("captures: {}\nresult:   {}\nreports (open them in any browser):\n  what was missing: {}\n  the "
-             "calibration:  {}\n",
-             set, resultFile, whyFile, reportFile);
+  printText("captures: {}\nresult:   {}\nreports (open them in any browser):\n  what was missing: {}\n  the "
+            "calibration:  {}\n",
+            set, resultFile, whyFile, reportFile);
   return result.usable ? 0 : 3;
 }
 

@@ -1,9 +1,11 @@
 #include "commands/Commands.hpp"
 #include "console/CommandLine.hpp"
 #include "console/OutputFiles.hpp"
+#include "console/PrintText.hpp"
 
 #include "data/CaptureSetFile.hpp"
 #include "detect/BoardDetector.hpp"
+#include "io/Files.hpp"
 #include "io/InputError.hpp"
 
 #include <CLI/CLI.hpp>
@@ -98,18 +100,18 @@ void printFindings(const SetDetection& detection) {
   }
   for (const auto& [kind, ofKind] : remarks) {
     if (kind == IssueKind::hiddenCorner) {
-      fmt::print("  {} corners of boards that were found are hidden or too blurred\n", ofKind.size());
+      printText("  {} corners of boards that were found are hidden or too blurred\n", ofKind.size());
       continue;
     }
     for (std::size_t i = 0; i < std::min(shown, ofKind.size()); ++i) {
       const auto& [sentence, captures] = ofKind[i];
-      fmt::print("  {}: {}\n",
-                 captures.size() == 1 ? fmt::format("capture {}", captures.front())
-                                      : fmt::format("{} captures", captures.size()),
-                 sentence);
+      printText("  {}: {}\n",
+                captures.size() == 1 ? fmt::format("capture {}", captures.front())
+                                     : fmt::format("{} captures", captures.size()),
+                sentence);
     }
     if (ofKind.size() > shown) {
-      fmt::print("  {} more of kind {} (--json lists all)\n", ofKind.size() - shown, toString(kind));
+      printText("  {} more of kind {} (--json lists all)\n", ofKind.size() - shown, toString(kind));
     }
   }
 }
@@ -133,6 +135,7 @@ void detectSet(const DetectCommand& command) {
                                  detection.unreadable.front())};
   }
   if (!command.dryRun) {
+    removeAbandonedWritesOf(std::filesystem::path{command.set} / "captures.json");
     writeCaptureSet(set, command.set);
   }
   if (!command.json.empty()) {
@@ -142,23 +145,23 @@ void detectSet(const DetectCommand& command) {
     return;
   }
   if (detection.pictures == 0 && detection.unreadable.empty() && interrupted == 0) {
-    fmt::print("no capture of {} names a picture; nothing was changed\n", command.set);
+    printText("no capture of {} names a picture; nothing was changed\n", command.set);
     return;
   }
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  fmt::print("{} pictures in {:.1f} s\n", detection.pictures, seconds.count());
+  printText("{} pictures in {:.1f} s\n", detection.pictures, seconds.count());
   for (const auto& [board, count] : boardCounts(set)) {
-    fmt::print("  board {:<6} in {:>5} pictures, {:>7} corners\n", board, count.pictures, count.corners);
+    printText("  board {:<6} in {:>5} pictures, {:>7} corners\n", board, count.pictures, count.corners);
   }
   printFindings(detection);
   for (const std::string& sentence : detection.unreadable) {
-    fmt::print("  left as it was: {}\n", sentence);
+    printText("  left as it was: {}\n", sentence);
   }
   if (interrupted != 0) {
-    fmt::print("stopped: {} pictures were not looked at and are left as they were\n",
-               all - detection.pictures - detection.unreadable.size());
+    printText("stopped: {} pictures were not looked at and are left as they were\n",
+              all - detection.pictures - detection.unreadable.size());
   }
-  fmt::print("{}\n", command.dryRun ? "nothing was written" : "the corners are written into the set");
+  printText("{}\n", command.dryRun ? "nothing was written" : "the corners are written into the set");
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 #include "commands/Commands.hpp"
 #include "console/CommandLine.hpp"
 #include "console/OutputFiles.hpp"
+#include "console/PrintText.hpp"
 
 #include "estimation/ModelFile.hpp"
 
@@ -115,15 +116,15 @@ void print(const Effect& effect, const Robot& robot) {
         fmt::format("{} ± {:g}{}", unknown.name, unknown.sigma, unknown.unit == "1" ? "" : " " + unknown.unit));
   }
   const std::vector<std::string> needs = neededKeys(effect, robot);
-  fmt::print("{}\n  {}\n  {:<9} {}\n  {:<9} {}\n  {:<9} {}\n", effect.name, effect.description, "formula",
-             effect.formula, "at", places(effect), "unknowns", fmt::join(unknowns, ", "));
+  printText("{}\n  {}\n  {:<9} {}\n  {:<9} {}\n  {:<9} {}\n", effect.name, effect.description, "formula",
+            effect.formula, "at", places(effect), "unknowns", fmt::join(unknowns, ", "));
   if (!effect.alias.empty()) {
-    fmt::print("  {:<9} {}\n", "alias", effect.alias);
+    printText("  {:<9} {}\n", "alias", effect.alias);
   }
   if (!needs.empty()) {
-    fmt::print("  {:<9} {}\n", "needs", fmt::join(needs, ", "));
+    printText("  {:<9} {}\n", "needs", fmt::join(needs, ", "));
   }
-  fmt::print("\n");
+  printText("\n");
 }
 
 void listEffects(const EffectsCommand& command) {
@@ -136,7 +137,7 @@ void listEffects(const EffectsCommand& command) {
   if (command.json == "-") {
     return;
   }
-  fmt::print(
+  printText(
       "Each can be added to a calibration: naocal solve SET --with EFFECT@PLACE. The number behind ± says how far\n"
       "from zero an unknown plausibly lies (1 sigma).\n\n");
   for (const Effect& effect : effects) {

@@ -1,6 +1,7 @@
 #include "commands/Commands.hpp"
 #include "commands/EvaluateThesis.hpp"
 #include "console/CommandLine.hpp"
+#include "console/PrintText.hpp"
 #include "console/Progress.hpp"
 #include "console/Subprocess.hpp"
 #include "estimation/ModelFile.hpp"
@@ -256,7 +257,7 @@ void runJudge(const files::path& folder, const std::string& json, const std::str
   if (judged.exitCode != 0) {
     throw InputError{judged.said};
   }
-  fmt::print("{}", judged.printed);
+  printText("{}", judged.printed);
 }
 
 struct EvaluateCommand {
@@ -318,7 +319,7 @@ void evaluateEffects(EvaluateCommand command) {
   }
   askAll(run, numbers, command.jobs);
   if (Progress::wasInterrupted()) {
-    fmt::print("stopped; the answers so far are kept, the same command goes on\n");
+    printText("stopped; the answers so far are kept, the same command goes on\n");
   }
   runJudge(command.out, command.json, command.page);
 }

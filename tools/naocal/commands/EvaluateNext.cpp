@@ -1,6 +1,7 @@
 #include "commands/Commands.hpp"
 #include "console/CommandLine.hpp"
 #include "console/OutputFiles.hpp"
+#include "console/PrintText.hpp"
 #include "console/Progress.hpp"
 
 #include "evaluation/NextPosesTrial.hpp"
@@ -126,12 +127,12 @@ void evaluateNext(const NextCommand& command) {
   if (command.json == "-") {
     return;
   }
-  fmt::print("{} robots with a hidden effect; after {} random poses the class of {} was open\n", all.size(),
-             command.options.start, open.size());
+  printText("{} robots with a hidden effect; after {} random poses the class of {} was open\n", all.size(),
+            command.options.start, open.size());
   for (const auto& [name, arm] : {std::pair{"proposed", proposed}, {"random", random}}) {
-    fmt::print("  {:9} poses: {} further ones until {:.0f} % certain (median), certain {} of {}, right {}\n", name,
-               arm.median ? fmt::format("{:2}", *arm.median) : fmt::format("more than {}", command.options.most),
-               100 * command.options.certainty, arm.certain, open.size(), arm.right);
+    printText("  {:9} poses: {} further ones until {:.0f} % certain (median), certain {} of {}, right {}\n", name,
+              arm.median ? fmt::format("{:2}", *arm.median) : fmt::format("more than {}", command.options.most),
+              100 * command.options.certainty, arm.certain, open.size(), arm.right);
   }
 }
 

@@ -3,6 +3,7 @@
 #include "commands/Commands.hpp"
 #include "console/CommandLine.hpp"
 #include "console/OutputFiles.hpp"
+#include "console/PrintText.hpp"
 #include "console/PrintThesis.hpp"
 #include "console/Progress.hpp"
 #include "evaluation/ThesisExperiment.hpp"
@@ -182,8 +183,8 @@ void evaluateThesis(ThesisCommand command) {
     }
   });
   if (Progress::wasInterrupted()) {
-    fmt::print(stderr, "stopped; what is done is kept{}\n",
-               command.json.empty() ? "" : ", with --resume the same command goes on");
+    printText(stderr, "stopped; what is done is kept{}\n",
+              command.json.empty() ? "" : ", with --resume the same command goes on");
   }
   if (command.json == "-") {
     writeJson(evaluationJson(command.evaluation), command.json);

@@ -2,6 +2,7 @@
 #include "console/CommandLine.hpp"
 #include "console/OutputFiles.hpp"
 #include "console/PrintDiagnosis.hpp"
+#include "console/PrintText.hpp"
 #include "diagnosis/Diagnosis.hpp"
 #include "diagnosis/Session.hpp"
 #include "estimation/ModelBuilder.hpp"
@@ -140,14 +141,14 @@ void ExploreLoop::undo() {
 }
 
 void ExploreLoop::printLadder() const {
-  fmt::print("  {:>3}  {:>9}  {:>9}  {:>9}  {:>7}  model (*: current)\n", "", "rms", "held-out", "floor", "chance");
+  printText("  {:>3}  {:>9}  {:>9}  {:>9}  {:>7}  model (*: current)\n", "", "rms", "held-out", "floor", "chance");
   for (std::size_t i = 0; i < session_.ladder.size(); ++i) {
     const ModelRevision& rung = session_.ladder[i];
     const auto& step = rung.questioned;
     const std::string heldOut = step && step->heldOutPx ? fmt::format("{:6.3f} px", *step->heldOutPx) : "-";
-    fmt::print("{} {:>3}  {:6.3f} px  {:>9}  {:>9}  {:>7}  {}\n", i == session_.at ? '*' : ' ', i, rung.rmsPx, heldOut,
-               step ? fmt::format("{:6.3f} px", step->noiseFloorPx) : "-",
-               step ? fmt::format("{:7.3f}", step->alarm) : "-", modelWords(rung));
+    printText("{} {:>3}  {:6.3f} px  {:>9}  {:>9}  {:>7}  {}\n", i == session_.at ? '*' : ' ', i, rung.rmsPx, heldOut,
+              step ? fmt::format("{:6.3f} px", step->noiseFloorPx) : "-",
+              step ? fmt::format("{:7.3f}", step->alarm) : "-", modelWords(rung));
   }
 }
 
@@ -162,12 +163,12 @@ void ExploreLoop::save() const {
 }
 
 void printHelp() {
-  fmt::print("  add EFFECT@PLACE    put an effect into the model and fit\n"
-             "  drop EFFECT@PLACE   take it out again\n"
-             "  undo                back to the model that this one was made from\n"
-             "  what                the candidates, best first\n"
-             "  ladder              all models tried, and their errors\n"
-             "  quit\n");
+  printText("  add EFFECT@PLACE    put an effect into the model and fit\n"
+            "  drop EFFECT@PLACE   take it out again\n"
+            "  undo                back to the model that this one was made from\n"
+            "  what                the candidates, best first\n"
+            "  ladder              all models tried, and their errors\n"
+            "  quit\n");
 }
 
 /// Executes one input line; false to quit.
@@ -194,7 +195,7 @@ bool obey(ExploreLoop& exploration, const std::string& line) {
     exploration.printCandidates();
   } else {
     if (verb != "help" && !verb.empty()) {
-      fmt::print("  '{}' is no command here\n", verb);
+      printText("  '{}' is no command here\n", verb);
     }
     printHelp();
   }
@@ -216,7 +217,7 @@ void explore(const ExploreCommand& command) {
   ExploreLoop exploration{given, std::move(first), command.session};
   exploration.printLadder();
   exploration.printCandidates();
-  fmt::print("type 'help' for the commands\n> ");
+  printText("type 'help' for the commands\n> ");
   std::fflush(stdout);
   for (std::string line; std::getline(std::cin, line);) {
     try {
@@ -224,12 +225,12 @@ void explore(const ExploreCommand& command) {
         return;
       }
     } catch (const InputError& error) {
-      fmt::print("  {}\n", error.what());
+      printText("  {}\n", error.what());
     }
-    fmt::print("> ");
+    printText("> ");
     std::fflush(stdout);
   }
-  fmt::print("\n");
+  printText("\n");
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "commands/Commands.hpp"
 #include "console/OutputFiles.hpp"
+#include "console/PrintText.hpp"
 
 #include "report/ReportPage.hpp"
 
@@ -34,7 +35,7 @@ void addReport(CLI::App& app) {
   reporter->callback([command] {
     const std::string page = renderReport(command->file);
     writePage(command->output, page);
-    fmt::print("written to {} ({:.1f} MB): open it in any browser\n", command->output, 1e-6 * double(page.size()));
+    printText("written to {} ({:.1f} MB): open it in any browser\n", command->output, 1e-6 * double(page.size()));
   });
 }
 

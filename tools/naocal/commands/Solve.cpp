@@ -2,6 +2,7 @@
 #include "console/CommandLine.hpp"
 #include "console/OutputFiles.hpp"
 #include "console/PrintCalibration.hpp"
+#include "console/PrintText.hpp"
 
 #include "calibration/Calibration.hpp"
 #include "dialects/ModelCalibration.hpp"
@@ -74,7 +75,7 @@ int solve(SolveCommand& command) {
   if (command.json != "-") {
     printCalibration({measurements, model, result});
     if (!command.output.empty()) {
-      fmt::print("written to {}\n", command.output);
+      printText("written to {}\n", command.output);
     }
   }
   return result.usable ? 0 : 3;

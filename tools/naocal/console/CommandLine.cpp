@@ -1,5 +1,6 @@
 #include "console/CommandLine.hpp"
 
+#include "console/PrintText.hpp"
 #include "data/CaptureSetFile.hpp"
 #include "io/InputError.hpp"
 
@@ -34,10 +35,18 @@ LoadedSets loadSets(const std::vector<std::string>& folders, bool skipBad) {
   for (const std::string& folder : folders) {
     LoadedCaptureSet read = readCaptureSet(folder, skipBad ? BadCapturePolicy::skip : BadCapturePolicy::refuse);
     for (const std::string& sentence : read.skipped) {
-      fmt::print(stderr, "left out: {}\n", sentence);
+      printText(stderr, "left out: {}\n", sentence);
     }
     given.inputs.add(folder);
     given.sets.push_back(std::move(read.set));
+  }
+  std::size_t captures = 0;
+  for (const CaptureSet& set : given.sets) {
+    captures += set.captures.size();
+  }
+  if (captures >= manyCaptures) {
+    printText(stderr, "{} captures: this takes minutes and much memory; a few hundred are enough for a calibration\n",
+              captures);
   }
   given.robot = loadRobot(configurationDirectory(), given.sets.front().model);
   return given;

@@ -28,6 +28,8 @@ struct Shard {
 /// Parses "2/8", the third of eight parts. Throws InputError for anything else.
 Shard parseShard(const std::string& text);
 
+inline constexpr std::size_t manyCaptures = 2000; // from this number on, a sentence says that it takes long
+
 /// Capture sets named on the command line.
 struct LoadedSets {
   std::vector<CaptureSet> sets;
@@ -35,7 +37,7 @@ struct LoadedSets {
   Robot robot; // the drawing of the sets' model
 };
 
-/// Reads the sets; lists captures left out (`skipBad`) on standard error.
+/// Reads the sets; lists captures left out (`skipBad`) on standard error, and says if there are many captures.
 LoadedSets loadSets(const std::vector<std::string>& folders, bool skipBad);
 
 } // namespace naocal

@@ -61,6 +61,8 @@ void requireReplaceableSet(const std::filesystem::path& folder) {
                     "name another folder",
                     folder.string())};
   }
+  removeAbandonedWritesOf(folder / "captures.json");
+  removeAbandonedWrites(folder / "images");
 }
 
 void writeJson(const nlohmann::json& json, const std::string& file) {
@@ -68,12 +70,14 @@ void writeJson(const nlohmann::json& json, const std::string& file) {
     fmt::print("{}\n", json.dump(1));
   } else {
     requireSameKind(file, json.at("format").get_ref<const std::string&>());
+    removeAbandonedWritesOf(file);
     writeAtomically(file, json.dump(1) + "\n");
   }
 }
 
 void writePage(const std::filesystem::path& file, const std::string& page) {
   requireSameKind(file, pageFormat);
+  removeAbandonedWritesOf(file);
   writeAtomically(file, page);
 }
 

@@ -22,7 +22,7 @@ void requireSameKind(const std::filesystem::path& file, std::string_view format)
 /// computation.
 CLI::Validator replaceableFile(std::string format);
 
-/// Throws InputError if the folder holds a set that was not simulated.
+/// Throws InputError if the folder holds a set that was not simulated. Removes what killed writers have left in it.
 void requireReplaceableSet(const std::filesystem::path& folder);
 
 /// Writes JSON to a file, or to standard output for "-". Throws InputError if the file holds another format.

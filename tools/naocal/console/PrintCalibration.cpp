@@ -1,6 +1,7 @@
 #include "console/PrintCalibration.hpp"
 
 #include "calibration/Verdict.hpp"
+#include "console/PrintText.hpp"
 #include "effects/Catalogue.hpp"
 #include "io/Units.hpp"
 #include "math/Angles.hpp"
@@ -22,7 +23,7 @@ std::string bar(double share) {
 }
 
 void printEstimates(const Model& model, const CalibrationResult& result) {
-  fmt::print("\n  {:<38} {:>12}     {:>10}     learned\n", "unknown", "estimate", "±  1 sigma");
+  printText("\n  {:<38} {:>12}     {:>10}     learned\n", "unknown", "estimate", "±  1 sigma");
   for (const Term& term : model.terms()) {
     for (std::size_t i = 0; i < term.effect.unknowns.size() && !term.isPlacement && term.requested; ++i) {
       const Unknown& unknown = term.effect.unknowns[i];
@@ -31,8 +32,8 @@ void printEstimates(const Model& model, const CalibrationResult& result) {
       const std::string name = term.effect.name == effectName::jointOffset
                                    ? term.placeName
                                    : fmt::format("{} {}", term.label(), unknown.name);
-      fmt::print("  {:<38} {:>10.4f} {:<4}  {:>8.4f} {:<4}  {:>3.0f} % {}\n", name, scale * estimate.best(), unit,
-                 scale * estimate.bestSigma(), unit, 100 * estimate.learned, bar(estimate.learned));
+      printText("  {:<38} {:>10.4f} {:<4}  {:>8.4f} {:<4}  {:>3.0f} % {}\n", name, scale * estimate.best(), unit,
+                scale * estimate.bestSigma(), unit, 100 * estimate.learned, bar(estimate.learned));
     }
   }
 }
@@ -40,11 +41,11 @@ void printEstimates(const Model& model, const CalibrationResult& result) {
 } // namespace
 
 void printCalibration(const FittedModel& fitted) {
-  fmt::print("{}: {} corners in {} pictures of {} poses, {} unknowns; {} after {} iterations in {:.1f} ms\n",
-             fitted.measurements.robot.model, fitted.measurements.cornerCount, fitted.measurements.pictures.size(),
-             fitted.measurements.poses.size(), fitted.model.unknownCount(),
-             fitted.fit.converged ? "converged" : "NOT converged", fitted.fit.iterations, 1e3 * fitted.fit.seconds);
-  fmt::print(
+  printText("{}: {} corners in {} pictures of {} poses, {} unknowns; {} after {} iterations in {:.1f} ms\n",
+            fitted.measurements.robot.model, fitted.measurements.cornerCount, fitted.measurements.pictures.size(),
+            fitted.measurements.poses.size(), fitted.model.unknownCount(),
+            fitted.fit.converged ? "converged" : "NOT converged", fitted.fit.iterations, 1e3 * fitted.fit.seconds);
+  printText(
       "prediction error {:.2f} px rms (median {:.2f} px); chi2/dof {:.3f}, p {:.2g}\n"
       "noise, 1 sigma ({}): corners {:.3f} px anew in each picture and {:.3f} px alike in all pictures of a rest, "
       "encoders {:.4f}°, joint scatter {:.4f}° from pose to pose{}\n",
@@ -54,30 +55,30 @@ void printCalibration(const FittedModel& fitted) {
       fitted.fit.noise.stance > 0 ? fmt::format(" and {:.4f}° from stance to stance", degrees(fitted.fit.noise.stance))
                                   : "");
   if (fitted.fit.floorErrorAt2m > 0) {
-    fmt::print("a floor point 2 m ahead will be seen {:.1f} mm off (1 sigma)\n", 1e3 * fitted.fit.floorErrorAt2m);
+    printText("a floor point 2 m ahead will be seen {:.1f} mm off (1 sigma)\n", 1e3 * fitted.fit.floorErrorAt2m);
   }
   printEstimates(fitted.model, fitted.fit);
   for (const WeakDirection& weak : fitted.fit.weak) {
-    fmt::print("\nweak: {}\n", weak.sentence);
+    printText("\nweak: {}\n", weak.sentence);
   }
   for (const Outlier& outlier : fitted.fit.outliers) {
     const ImageObservation& picture = fitted.measurements.pictures[outlier.picture];
-    fmt::print("\ndoubtful: capture {} ({}), board {}: {} {:.1f} px off{}", fitted.measurements.captureOf(picture).id,
-               fitted.measurements.captureOf(picture).camera,
-               fitted.measurements.targets[picture.observations[outlier.observation].view.board()].name,
-               outlier.whole
-                   ? fmt::format("{} corners together", outlier.corners.size())
-                   : fmt::format("{} corner{}", outlier.corners.size(), outlier.corners.size() == 1 ? "" : "s"),
-               outlier.distance, outlier.whole ? ": was the board moved or the robot touched?" : "");
+    printText("\ndoubtful: capture {} ({}), board {}: {} {:.1f} px off{}", fitted.measurements.captureOf(picture).id,
+              fitted.measurements.captureOf(picture).camera,
+              fitted.measurements.targets[picture.observations[outlier.observation].view.board()].name,
+              outlier.whole
+                  ? fmt::format("{} corners together", outlier.corners.size())
+                  : fmt::format("{} corner{}", outlier.corners.size(), outlier.corners.size() == 1 ? "" : "s"),
+              outlier.distance, outlier.whole ? ": was the board moved or the robot touched?" : "");
   }
   for (const std::string& warning : toSentences(fitted.fit.warnings)) {
-    fmt::print("\nwarning: {}", warning);
+    printText("\nwarning: {}", warning);
   }
   if (fitted.fit.restartsTried > 0) {
-    fmt::print("\n{} random restarts {} the answer", fitted.fit.restartsTried,
-               fitted.fit.restartsChanged ? "CHANGED" : "did not change");
+    printText("\n{} random restarts {} the answer", fitted.fit.restartsTried,
+              fitted.fit.restartsChanged ? "CHANGED" : "did not change");
   }
-  fmt::print("\n{}\n", fitted.fit.sentence);
+  printText("\n{}\n", fitted.fit.sentence);
 }
 
 } // namespace naocal

@@ -1,5 +1,6 @@
 #include "console/PrintDiagnosis.hpp"
 
+#include "console/PrintText.hpp"
 #include "diagnosis/DiagnosisWording.hpp"
 #include "math/Angles.hpp"
 
@@ -28,27 +29,27 @@ std::string bar(double value, double most, std::size_t width) {
 
 void printLadder(const Diagnosis& diagnosis) {
   const bool unseen = diagnosis.steps.front().heldOutPx.has_value();
-  fmt::print("\n{}\n", unseen ? "held-out error: on poses that neither the fit nor the choice of effects has seen"
-                              : "error of the fit (one pose: none is left to hold out)");
+  printText("\n{}\n", unseen ? "held-out error: on poses that neither the fit nor the choice of effects has seen"
+                             : "error of the fit (one pose: none is left to hold out)");
   const auto error = [](const SelectionStep& step) { return step.heldOutPx.value_or(step.rmsPx); };
   double most = diagnosis.steps.back().noiseFloorPx;
   for (const SelectionStep& step : diagnosis.steps) {
     most = std::max(most, error(step));
   }
   for (const SelectionStep& step : diagnosis.steps) {
-    fmt::print("  {:32} {} {:6.3f} px{}\n", step.added.empty() ? "base model" : "+ " + step.added,
-               bar(error(step), most, 30), error(step),
-               step.dropped.empty() ? "" : fmt::format("   no longer needed: {}", fmt::join(step.dropped, ", ")));
+    printText("  {:32} {} {:6.3f} px{}\n", step.added.empty() ? "base model" : "+ " + step.added,
+              bar(error(step), most, 30), error(step),
+              step.dropped.empty() ? "" : fmt::format("   no longer needed: {}", fmt::join(step.dropped, ", ")));
   }
   const double floor = diagnosis.steps.back().noiseFloorPx;
-  fmt::print("  {:32} {} {:6.3f} px\n", "noise floor", bar(floor, most, 30), floor);
+  printText("  {:32} {} {:6.3f} px\n", "noise floor", bar(floor, most, 30), floor);
 }
 
 void printCurves(const Diagnosis& diagnosis) {
   if (diagnosis.verdict != Verdict::unknownEffect) {
     return;
   }
-  fmt::print("\nunexplained rest, by joint and what it varies with\n");
+  printText("\nunexplained rest, by joint and what it varies with\n");
   for (const DriverCurve& curve : diagnosis.driverCurves) {
     std::string coefficients;
     for (const auto& [name, value, unit] : curve.coefficients) {
@@ -59,8 +60,8 @@ void printCurves(const Diagnosis& diagnosis) {
                              : curve.unit == "rad"
                                  ? fmt::format("the camera's mount turns about its {} axis", curve.about)
                                  : fmt::format("corners are off along {}", curve.about);
-    fmt::print("  {:16} over {:18} {:>9}  evidence {:7.1f}   {}\n", curve.place, curve.driver, formatAmplitude(curve),
-               curve.bayes, like);
+    printText("  {:16} over {:18} {:>9}  evidence {:7.1f}   {}\n", curve.place, curve.driver, formatAmplitude(curve),
+              curve.bayes, like);
   }
 }
 
@@ -72,8 +73,8 @@ void printCandidates(const Diagnosis& diagnosis) {
   for (const CandidateFinding& finding : diagnosis.ranking) {
     most = std::max(most, finding.evidence.bayes);
   }
-  fmt::print("\ncandidates, most plausible first (bar and number: evidence, 2 ln of the Bayes factor against the model "
-             "without it)\n");
+  printText("\ncandidates, most plausible first (bar and number: evidence, 2 ln of the Bayes factor against the model "
+            "without it)\n");
   for (std::size_t i = 0; i < std::min(shown, diagnosis.ranking.size()); ++i) {
     const CandidateFinding& finding = diagnosis.ranking[i];
     if (finding.state == CandidateState::noData) {
@@ -82,9 +83,9 @@ void printCandidates(const Diagnosis& diagnosis) {
     const std::string fall = finding.chi2Drop ? fmt::format("; chi2 fell by {:.0f} on adding it, predicted {:.0f}",
                                                             *finding.chi2Drop, finding.evidence.likelihoodRatio)
                                               : "";
-    fmt::print("  {:32} {} {:8.1f}  {:19} {}{}\n", finding.term.label(),
-               bar(std::max(0.0, finding.evidence.bayes), most, 14), finding.evidence.bayes,
-               describeState(finding.state), formatSizes(finding), fall);
+    printText("  {:32} {} {:8.1f}  {:19} {}{}\n", finding.term.label(),
+              bar(std::max(0.0, finding.evidence.bayes), most, 14), finding.evidence.bayes,
+              describeState(finding.state), formatSizes(finding), fall);
   }
   std::size_t absorbed = 0, noData = 0, inconclusive = 0;
   for (const CandidateFinding& finding : diagnosis.ranking) {
@@ -92,60 +93,59 @@ void printCandidates(const Diagnosis& diagnosis) {
     noData += finding.state == CandidateState::noData;
     inconclusive += finding.state == CandidateState::inconclusive;
   }
-  fmt::print(
+  printText(
       "  {} candidates in all: {} not testable with these poses, {} without recorded data, {} undecided (they may be "
       "present, but too small to be seen here)\n",
       diagnosis.ranking.size(), absorbed, noData, inconclusive);
 }
 
 void printDiagnosis(const Diagnosis& diagnosis, const GivenOptions& asked) {
-  fmt::print("{}: {}\n", toString(diagnosis.verdict), diagnosis.sentence);
+  printText("{}: {}\n", toString(diagnosis.verdict), diagnosis.sentence);
   if (!diagnosis.steps.empty()) { // otherwise no fit was possible
     printLadder(diagnosis);
     printCandidates(diagnosis);
     printCurves(diagnosis);
   }
   for (const DataAnomaly& suspicion : diagnosis.anomalies) {
-    fmt::print("  suspicious: {}\n", suspicion.why);
+    printText("  suspicious: {}\n", suspicion.why);
   }
   if (!diagnosis.suggested.empty() && !diagnosis.own) {
-    fmt::print("\nadd it:  naocal solve {} -o result.json\n", asked.commandLine(diagnosis.suggested));
+    printText("\nadd it:  naocal solve {} -o result.json\n", asked.commandLine(diagnosis.suggested));
   }
-  fmt::print("({:.2f} s)\n", diagnosis.seconds);
+  printText("({:.2f} s)\n", diagnosis.seconds);
 }
 
 void printOwnEffectHint(bool isThere, const Diagnosis& diagnosis, const GivenOptions& asked, const std::string& file) {
   if (!isThere) {
-    fmt::print("no unexplained pattern was found that an expression fits, so {} was not written\n", file);
+    printText("no unexplained pattern was found that an expression fits, so {} was not written\n", file);
   } else if (file.empty()) {
-    fmt::print("{}:  naocal diagnose {} --own own.json\n",
-               diagnosis.own ? "add it as a custom effect" : "try its expression as a custom effect",
-               asked.commandLine());
+    printText("{}:  naocal diagnose {} --own own.json\n",
+              diagnosis.own ? "add it as a custom effect" : "try its expression as a custom effect",
+              asked.commandLine());
   } else {
     const GivenOptions withIt{asked.sets, {}, {}, file, asked.samePlace, asked.skipBad};
-    fmt::print("{0} has its expression as a custom effect; see what it explains:  naocal diagnose {1}\n"
-               "and calibrate with it:  naocal solve {1} -o result.json\n",
-               file, withIt.commandLine());
+    printText("{0} has its expression as a custom effect; see what it explains:  naocal diagnose {1}\n"
+              "and calibrate with it:  naocal solve {1} -o result.json\n",
+              file, withIt.commandLine());
   }
 }
 
 void printNextPoses(const NextPoses& next, GivenOptions asked, const std::string& file) {
   if (!next.whyNone.empty()) {
     if (!file.empty()) {
-      fmt::print("no poses are proposed, and {} is not written: {}\n", file, next.whyNone);
+      printText("no poses are proposed, and {} is not written: {}\n", file, next.whyNone);
     }
     return;
   }
   if (next.poses.empty() || file.empty()) {
-    fmt::print("next poses (measuring them {}):  naocal diagnose {} --next poses.json\n", next.why,
-               asked.commandLine());
+    printText("next poses (measuring them {}):  naocal diagnose {} --next poses.json\n", next.why, asked.commandLine());
     return;
   }
   asked.sets.emplace_back("FURTHER-SET");
   asked.samePlace = true;
-  fmt::print("\n{} holds {} poses. With them the evidence that {} becomes {:.1f} times stronger. Leave the boards "
-             "where they lie, record the poses as a new set with \"stance\": {}, then:\n  naocal diagnose {}\n",
-             file, next.poses.size(), next.why, next.growth, next.firstStance, asked.commandLine());
+  printText("\n{} holds {} poses. With them the evidence that {} becomes {:.1f} times stronger. Leave the boards "
+            "where they lie, record the poses as a new set with \"stance\": {}, then:\n  naocal diagnose {}\n",
+            file, next.poses.size(), next.why, next.growth, next.firstStance, asked.commandLine());
 }
 
 } // namespace naocal

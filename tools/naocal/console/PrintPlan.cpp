@@ -1,5 +1,6 @@
 #include "console/PrintPlan.hpp"
 
+#include "console/PrintText.hpp"
 #include "math/Angles.hpp"
 #include "poses/candidates/BoardPlacement.hpp"
 
@@ -12,9 +13,9 @@ namespace naocal {
 namespace {
 
 void printSieve(const PassCounts& sieve) {
-  fmt::print("\n{:>10} attitudes drawn\n{:>10} within reach and joint limits\n{:>10} without self-collision\n"
-             "{:>10} stable, also with joint errors\n{:>10} with a board in view\n\n",
-             sieve.generated, sieve.reachable, sieve.collisionFree, sieve.stable, sieve.seeing);
+  printText("\n{:>10} attitudes drawn\n{:>10} within reach and joint limits\n{:>10} without self-collision\n"
+            "{:>10} stable, also with joint errors\n{:>10} with a board in view\n\n",
+            sieve.generated, sieve.reachable, sieve.collisionFree, sieve.stable, sieve.seeing);
 }
 
 void printSigmas(const PosePlan& plan) {
@@ -22,24 +23,24 @@ void printSigmas(const PosePlan& plan) {
   for (const auto& [joint, sigma] : plan.sigma) {
     worst = std::max(worst, sigma);
   }
-  fmt::print("standard error of each offset after these {} poses (one picture per camera and pose):\n",
-             plan.poses.size());
-  fmt::print("  {:<14} {:>11}    {:>9}    {}\n", "", "as drawn", "with errors", "cameras and boards known");
+  printText("standard error of each offset after these {} poses (one picture per camera and pose):\n",
+            plan.poses.size());
+  printText("  {:<14} {:>11}    {:>9}    {}\n", "", "as drawn", "with errors", "cameras and boards known");
   for (const auto& [joint, sigma] : plan.sigma) {
     std::string bar;
     for (int i = 0; i < static_cast<int>(std::lround(20 * sigma / worst)); ++i) {
       bar += "█";
     }
-    fmt::print("  {:<14} {:>9.3f} °    {:>7.3f} °    {:>5.3f} °  {}\n", joint, degrees(sigma),
-               degrees(plan.sigmaOfRobots.at(joint)), degrees(plan.sigmaKnown.at(joint)), bar);
+    printText("  {:<14} {:>9.3f} °    {:>7.3f} °    {:>5.3f} °  {}\n", joint, degrees(sigma),
+              degrees(plan.sigmaOfRobots.at(joint)), degrees(plan.sigmaKnown.at(joint)), bar);
   }
 }
 
 void printMisfit(const PosePlan& plan) {
   if (plan.misfit) {
-    fmt::print("\nwith {} where a robot has {}, or the other way round, the fit to these poses is worse by chi2 of at "
-               "least {:.1f} (both as large as they plausibly may be; 10 is beyond doubt)\n",
-               plan.options.effects[0], plan.options.effects[1], *plan.misfit);
+    printText("\nwith {} where a robot has {}, or the other way round, the fit to these poses is worse by chi2 of at "
+              "least {:.1f} (both as large as they plausibly may be; 10 is beyond doubt)\n",
+              plan.options.effects[0], plan.options.effects[1], *plan.misfit);
   }
 }
 
@@ -57,21 +58,21 @@ void printFloor(const PosePlan& plan) {
     }
   }
   floor[ahead][columns / 2] = '^';
-  fmt::print(
+  printText(
       "\nwhere to lay the boards (top view, robot faces up; ^ is the support foot, with both feet the left one; a "
       "character is 6 cm wide, 12 cm high):\n");
   for (const std::string& row : floor) {
-    fmt::print("  {}\n", row);
+    printText("  {}\n", row);
   }
   for (std::size_t i = 0; i < plan.boards.size(); ++i) {
     const Board& board = plan.boards[i];
     const Placement& place = *board.placement;
-    fmt::print("  {}: its corner {:5.2f} m ahead, {:5.2f} m to the {}, turned by {:4.0f}°; tolerance {:.0f} cm, "
-               "{:.0f}°\n",
-               board.id, place.x, std::abs(place.y), place.y >= 0 ? "left " : "right", degrees(place.yaw),
-               100 * plan.tolerances[i].shift, degrees(plan.tolerances[i].turn));
+    printText("  {}: its corner {:5.2f} m ahead, {:5.2f} m to the {}, turned by {:4.0f}°; tolerance {:.0f} cm, "
+              "{:.0f}°\n",
+              board.id, place.x, std::abs(place.y), place.y >= 0 ? "left " : "right", degrees(place.yaw),
+              100 * plan.tolerances[i].shift, degrees(plan.tolerances[i].turn));
   }
-  fmt::print(
+  printText(
       "  (tolerance of each board, the others in place: beyond it the worst offset's standard error grows by more than "
       "10 %, or a pose sees no board; not checked beyond 30 cm / 45°)\n");
 }
@@ -87,15 +88,15 @@ void printWay(const PosePlan& plan) {
       ++(plan.ways[i]->via.empty() ? straight : round);
     }
   }
-  fmt::print("\nplaying time {:.0f} s, including {:.0f} s of rest per pose; {} of {} transitions are direct", seconds,
-             plan.options.secondsPerPose, straight, ways);
+  printText("\nplaying time {:.0f} s, including {:.0f} s of rest per pose; {} of {} transitions are direct", seconds,
+            plan.options.secondsPerPose, straight, ways);
   if (round > 0) {
-    fmt::print(", {} go by other postures (\"via\")", round);
+    printText(", {} go by other postures (\"via\")", round);
   }
   if (const std::size_t missing = ways - straight - round; missing > 0) {
-    fmt::print(", {} are not safe: stand on both feet in between", missing);
+    printText(", {} are not safe: stand on both feet in between", missing);
   }
-  fmt::print("\n");
+  printText("\n");
 }
 
 /// Prints the selection of each criterion among the same candidates, boards where they were given.
@@ -103,16 +104,16 @@ void printComparison(const PosePlan& plan) {
   if (plan.comparison.empty()) {
     return;
   }
-  fmt::print("what the criteria select among the same {} candidates, boards where they were given, nothing refined:\n"
-             "  {:<12} {:>5}  {:>12}  {:>9}  {:>24}  {}{}\n",
-             plan.sieve.seeing, "criterion", "poses", "worst offset", "mean", "worst, places known",
-             "pairs of joints that look alike (cost)", plan.misfit ? "  effects told apart (chi2)" : "");
+  printText("what the criteria select among the same {} candidates, boards where they were given, nothing refined:\n"
+            "  {:<12} {:>5}  {:>12}  {:>9}  {:>24}  {}{}\n",
+            plan.sieve.seeing, "criterion", "poses", "worst offset", "mean", "worst, places known",
+            "pairs of joints that look alike (cost)", plan.misfit ? "  effects told apart (chi2)" : "");
   for (const CriterionResult& each : plan.comparison) {
-    fmt::print("  {:<12} {:>5}  {:>10.3f} °  {:>7.3f} °  {:>22.3f} °  {:>30} ({:.3f}){}\n", toString(each.criterion),
-               each.poses, degrees(each.worst), degrees(each.mean), degrees(each.worstKnown), each.interaction.count,
-               each.interaction.cost, each.misfit ? fmt::format("  {:>25.1f}", *each.misfit) : "");
+    printText("  {:<12} {:>5}  {:>10.3f} °  {:>7.3f} °  {:>22.3f} °  {:>30} ({:.3f}){}\n", toString(each.criterion),
+              each.poses, degrees(each.worst), degrees(each.mean), degrees(each.worstKnown), each.interaction.count,
+              each.interaction.cost, each.misfit ? fmt::format("  {:>25.1f}", *each.misfit) : "");
   }
-  fmt::print("\n");
+  printText("\n");
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "console/PrintThesis.hpp"
 
+#include "console/PrintText.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/core.h>
@@ -74,13 +75,13 @@ void printTable(const ThesisEvaluation& evaluation, const std::string& table, st
     counts += fmt::format("  {:<26}", fmt::format("{} poses", count));
     heads += " ours     LM  limit thesis  ";
   }
-  fmt::print("\n{}\n{}\n{}\n", title(table), trimmed(counts), trimmed(heads));
+  printText("\n{}\n{}\n{}\n", title(table), trimmed(counts), trimmed(heads));
   for (const std::string& row : rows) {
     std::string line = fmt::format("{:30}", row);
     for (const auto& [count, text] : cells[row]) {
       line += fmt::format("{:<28}", text);
     }
-    fmt::print("{}\n", trimmed(line));
+    printText("{}\n", trimmed(line));
   }
 }
 
@@ -91,11 +92,11 @@ void printOthers(const ThesisEvaluation& evaluation, std::size_t tolerance) {
     if (!isInTable55(setting) || !evaluation.tally(setting, ThesisSolver::numeric)) {
       continue;
     }
-    fmt::print("\nother solvers, {}:\n", setting.name());
+    printText("\nother solvers, {}:\n", setting.name());
     for (const ThesisSolver solver : allSolvers) {
       if (const ThesisTally* tally = evaluation.tally(setting, solver)) {
-        fmt::print("  {:<17} {:>6} sets {:>7.1f} % {:>10.3f} ms each\n", toString(solver), tally->sets,
-                   100 * tally->successAt(tolerance), perSolve(*tally));
+        printText("  {:<17} {:>6} sets {:>7.1f} % {:>10.3f} ms each\n", toString(solver), tally->sets,
+                  100 * tally->successAt(tolerance), perSolve(*tally));
       }
     }
   }
@@ -142,7 +143,7 @@ void printSummary(const ThesisEvaluation& evaluation, std::size_t tolerance) {
   }
   // [percentage points], 1 sigma for a share of 0.5
   const double uncertainty = 50 / std::sqrt(static_cast<double>(all.leastSets));
-  fmt::print(
+  printText(
       "\nOf {} settings ours succeeds at least as often as plain Levenberg-Marquardt on the same sets in {}{}; in {} "
       "it is at most {:.0f} points below the Cramer-Rao limit (worst: {:+.1f} points, {}; shares are uncertain by up "
       "to {:.1f}). Without noise it never fails in {} of {}.\n",
@@ -150,10 +151,10 @@ void printSummary(const ThesisEvaluation& evaluation, std::size_t tolerance) {
       all.behindPlain > 0 ? fmt::format(" (elsewhere at most {:.2f} points less)", 100 * all.behindPlain) : "",
       all.nearLimit, 100 * withinPoints, 100 * all.aboveLimit, all.worst, uncertainty, all.perfect, all.noiseless);
   if (const auto best = bestInterpretation(evaluation); best && all.settings == thesisSettings().size()) {
-    fmt::print("The thesis's own solvers, run here, come nearest to its figures with joint noise {} and a tolerance of "
-               "{:.1f} deg: {:.0f} points apart (root mean square over the {} cells with joint noise in which the "
-               "thesis had any success).\n",
-               toString(best->jointNoise), toleranceDegrees(best->tolerance), 100 * best->difference, best->cells);
+    printText("The thesis's own solvers, run here, come nearest to its figures with joint noise {} and a tolerance of "
+              "{:.1f} deg: {:.0f} points apart (root mean square over the {} cells with joint noise in which the "
+              "thesis had any success).\n",
+              toString(best->jointNoise), toleranceDegrees(best->tolerance), 100 * best->difference, best->cells);
   }
 }
 
@@ -161,9 +162,9 @@ void printSummary(const ThesisEvaluation& evaluation, std::size_t tolerance) {
 
 void printThesisTables(const ThesisEvaluation& evaluation, double degrees) {
   const auto tolerance = static_cast<std::size_t>(std::lround(degrees / toleranceDegrees(0))) - 1;
-  fmt::print("success in % with all 8 offsets within {:.1f} deg: ours, the thesis's solver with our derivatives (LM), "
-             "Cramer-Rao limit, thesis\n",
-             toleranceDegrees(tolerance));
+  printText("success in % with all 8 offsets within {:.1f} deg: ours, the thesis's solver with our derivatives (LM), "
+            "Cramer-Rao limit, thesis\n",
+            toleranceDegrees(tolerance));
   for (const char* table : {"5.5", "5.6", "5.7", "5.8", "beyond"}) {
     printTable(evaluation, table, tolerance);
   }

@@ -5,9 +5,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 namespace naocal {
 namespace {
@@ -42,10 +40,7 @@ std::set<std::filesystem::path> filesIn(const std::filesystem::path& root) {
 
 /// The bytes of a file, including comments; an empty object if it does not exist.
 std::string textOf(const std::filesystem::path& file) {
-  std::ifstream stream{file, std::ios::binary};
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return stream ? text.str() : "{}\n";
+  return readConfigurationText(file).value_or("{}\n");
 }
 
 } // namespace

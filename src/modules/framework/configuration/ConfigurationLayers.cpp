@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 namespace naocal {
 namespace {
@@ -66,25 +65,43 @@ Overlay::~Overlay() = default;
 Overlay::Overlay(Overlay&&) noexcept = default;
 Overlay& Overlay::operator=(Overlay&&) noexcept = default;
 
-std::optional<json> readConfiguration(const std::filesystem::path& file) {
-  std::ifstream stream{file, std::ios::binary};
-  if (!stream) {
-    if (std::filesystem::exists(file)) {
-      throw ConfigurationError{fmt::format("{}: cannot be read; check its permissions", file.string())};
-    }
+std::optional<std::string> readConfigurationText(const std::filesystem::path& file) {
+  std::error_code failed;
+  const auto status = std::filesystem::status(file, failed);
+  if (status.type() == std::filesystem::file_type::not_found) {
     return std::nullopt;
   }
-  std::ostringstream text;
-  text << stream.rdbuf();
+  if (!failed && !std::filesystem::is_regular_file(status)) { // would wait for a pipe's writer
+    throw ConfigurationError{fmt::format("{}: expected a file, found a folder, pipe or device", file.string())};
+  }
+  std::string text;
+  const std::uintmax_t size = failed ? 0 : std::filesystem::file_size(file, failed);
+  if (!failed && size > largestConfigurationFile) {
+    throw ConfigurationError{fmt::format("{}: expected at most {} bytes in a configuration file, found {}",
+                                         file.string(), largestConfigurationFile, size)};
+  }
+  std::ifstream stream{file, std::ios::binary};
+  text.resize(static_cast<std::size_t>(failed ? 0 : size));
+  if (failed || !stream.read(text.data(), std::streamsize(text.size()))) {
+    throw ConfigurationError{fmt::format("{}: cannot be read; check its permissions", file.string())};
+  }
+  return text;
+}
+
+std::optional<json> readConfiguration(const std::filesystem::path& file) {
+  const auto text = readConfigurationText(file);
+  if (!text) {
+    return std::nullopt;
+  }
   json content;
   try {
-    (void)json(text.str()).dump(); // comments too: kept parts of a file are written again
+    (void)json(*text).dump(); // comments too: kept parts of a file are written again
   } catch (const json::exception&) {
     throw ConfigurationError{
         fmt::format("{}: expected text in UTF-8, found other bytes; save it as UTF-8", file.string())};
   }
   try {
-    content = parseBoundedJson(text.str(), true);
+    content = parseBoundedJson(*text, true);
   } catch (const json::exception& error) {
     throw ConfigurationError{
         fmt::format("{}: expected valid JSON, found a {}", file.string(), parseErrorReason(error))};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -58,6 +59,12 @@ struct Overlay {
   std::map<std::string, std::filesystem::path> origins; // by top-level key
   std::optional<std::filesystem::path> last;            // most specific existing file
 };
+
+inline constexpr std::uintmax_t largestConfigurationFile = std::uintmax_t{64} << 20; // [bytes]
+
+/// The bytes of a configuration file, including comments. Absent if it does not exist. Throws ConfigurationError if it
+/// cannot be read, is no regular file, or is larger than `largestConfigurationFile`.
+std::optional<std::string> readConfigurationText(const std::filesystem::path& file);
 
 /// The object in one configuration file; accepts `//` and `/* */` comments. Absent if the file does not exist. Throws
 /// ConfigurationError that names file, line and column of the problem.

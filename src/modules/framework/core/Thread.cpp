@@ -6,6 +6,8 @@
 #include <optional>
 #include <pthread.h>
 #include <sched.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 namespace naocal {
 
@@ -130,6 +132,20 @@ std::string requestRealTimePriority(int priority) {
   const sched_param parameters{.sched_priority = priority};
   const int error = ::pthread_setschedparam(::pthread_self(), SCHED_FIFO, &parameters);
   return error == 0 ? std::string{} : std::strerror(error);
+}
+
+void runInBackground() {
+  ::setpriority(PRIO_PROCESS, id_t(::gettid()), backgroundNiceness);
+  cpu_set_t processors;
+  if (::sched_getaffinity(0, sizeof processors, &processors) != 0 || CPU_COUNT(&processors) < 2) {
+    return;
+  }
+  int last = CPU_SETSIZE - 1;
+  while (!CPU_ISSET(last, &processors)) {
+    --last;
+  }
+  CPU_CLR(last, &processors);
+  ::sched_setaffinity(0, sizeof processors, &processors);
 }
 
 } // namespace naocal

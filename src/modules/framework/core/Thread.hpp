@@ -83,4 +83,10 @@ private:
 /// Requests SCHED_FIFO scheduling for the calling thread. Returns the reason of a failure, empty on success.
 std::string requestRealTimePriority(int priority);
 
+inline constexpr int backgroundNiceness = 10; // a tenth of the ordinary share of a processor
+
+/// Lowers the calling thread below the ordinary ones and keeps it off one processor (the last one that it may use),
+/// which remains free for motion where the system refuses real-time priority. Needs no permission.
+void runInBackground();
+
 } // namespace naocal

@@ -5,6 +5,7 @@
 #include "protocol/BoundedJson.hpp"
 #include "protocol/Frames.hpp"
 
+#include <deque>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -34,6 +35,7 @@ struct ConfigServer::Client {
   bool hasEntered = false; // has sent the secret
   bool isRefused = false;  // the refusal has been logged
   std::vector<Setting> will;
+  std::deque<Setting> pending; // of its last message
 };
 
 ConfigServer::ConfigServer(Configuration& configuration, Access& access, Log log)
@@ -71,6 +73,19 @@ ConfigServer::Client& ConfigServer::clientOf(const Peer& peer) {
 bool ConfigServer::isTrusted(const Peer& peer) const {
   const auto client = clients_.find(peer.weak_from_this());
   return client != clients_.end() && (client->second.hasEntered || !access_.needsSecret(peer.address()));
+}
+
+bool ConfigServer::needsSecret(const std::string& address) const {
+  return access_.needsSecret(address);
+}
+
+bool ConfigServer::isInUse(const Peer& peer) const {
+  const auto client = clients_.find(peer.weak_from_this());
+  return client != clients_.end() && !client->second.will.empty();
+}
+
+bool ConfigServer::mayBeSilent(const Peer& peer) const {
+  return isTrusted(peer);
 }
 
 void ConfigServer::onReceived(Peer& peer, std::uint8_t type, std::string body) {
@@ -122,9 +137,28 @@ void ConfigServer::set(Peer& peer, const std::string& body) {
     throw ProtocolError{fmt::format(
         "expected [{{\"mp\": mount, \"key\": key, \"value\": value}}, ..] to set, found: {}", parseErrorReason(error))};
   }
-  for (const json& entry : changes) {
-    setOne(peer, entry["mp"], entry["key"], entry["value"]);
+  if (changes.size() > mostSettings) {
+    throw ProtocolError{
+        fmt::format("expected at most {} settings in a message, found {}", mostSettings, changes.size())};
   }
+  auto& pending = clientOf(peer).pending;
+  for (json& entry : changes) {
+    pending.push_back({entry["mp"], entry["key"], std::move(entry["value"])});
+  }
+}
+
+bool ConfigServer::continueMessage(Peer& peer) {
+  const auto client = clients_.find(peer.weak_from_this());
+  if (client == clients_.end()) {
+    return false; // the connection has ended
+  }
+  auto& pending = client->second.pending;
+  for (std::size_t i = 0; i < settingsPerTurn && !pending.empty(); ++i) {
+    const Setting setting = std::move(pending.front());
+    pending.pop_front();
+    setOne(peer, setting.mount, setting.key, setting.value);
+  }
+  return !pending.empty();
 }
 
 void ConfigServer::setOne(Peer& peer, const std::string& mount, const std::string& key, const json& value) {
@@ -144,6 +178,10 @@ void ConfigServer::setOne(Peer& peer, const std::string& mount, const std::strin
 }
 
 void ConfigServer::keepWill(const Peer& peer, const json& settings) {
+  if (settings.size() > mostWillSettings) {
+    throw ConfigurationError{
+        fmt::format("expected at most {} settings in a last will, found {}", mostWillSettings, settings.size())};
+  }
   std::vector<Setting> will;
   for (const json& entry : settings) {
     will.push_back({entry.at("mp").get<std::string>(), entry.at("key").get<std::string>(), entry.at("value")});

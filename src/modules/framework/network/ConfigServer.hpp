@@ -27,7 +27,15 @@ public:
   void onOpened(Peer& peer) override;
   void onReceived(Peer& peer, std::uint8_t type, std::string body) override;
   void onClosed(Peer& peer) override;
+  bool continueMessage(Peer& peer) override;
   bool isTrusted(const Peer& peer) const override;
+  bool needsSecret(const std::string& address) const override;
+  bool isInUse(const Peer& peer) const override;     // has left a last will
+  bool mayBeSilent(const Peer& peer) const override; // MATE sends nothing more after its first requests
+
+  static constexpr std::size_t mostSettings = 1000;  // of one message
+  static constexpr std::size_t settingsPerTurn = 20; // set before other clients are served
+  static constexpr std::size_t mostWillSettings = 100;
 
 private:
   struct Setting;

@@ -84,14 +84,47 @@ void Connection::handle(std::uint8_t type) {
   if (tooFast()) {
     return refuse(fmt::format("expected at most {:.0f} messages per second, found more", limits_.messagesPerSecond));
   }
-  try {
+  hasSpoken_ = true;
+  attempt([&] {
     protocol_.onReceived(*this, type, std::move(body_));
+    return open_ && protocol_.continueMessage(*this);
+  });
+}
+
+void Connection::continueMessage() {
+  if (open_) {
+    attempt([this] { return protocol_.continueMessage(*this); });
+  }
+}
+
+/// Runs `work`, which returns whether more of the message remains, and reads on after the whole message.
+void Connection::attempt(const std::function<bool()>& work) {
+  bool remains = false;
+  try {
+    remains = work();
   } catch (const ProtocolError& error) {
     return refuse(error.what());
   }
-  body_.clear();
-  if (open_) {
+  if (remains) {
+    boost::asio::post(socket_.get_executor(), [self = self()] { self->continueMessage(); });
+  } else if (open_) {
+    body_.clear();
     readHeader();
+  }
+}
+
+bool Connection::hasDataWaiting() const {
+  error_code ignored;
+  return socket_.available(ignored) > 0;
+}
+
+void Connection::closeIfSilent(TimePoint now) {
+  const Duration silence = now - lastMessage_;
+  if (!hasSpoken_ && silence >= limits_.firstMessage) {
+    refuse(fmt::format("expected a first message within {:g} s, found none", toSeconds(limits_.firstMessage)));
+  } else if (hasSpoken_ && silence >= limits_.rest && !protocol_.mayBeSilent(*this)) {
+    refuse(fmt::format("expected a message within {:g} s of one that wants nothing from the robot, found none",
+                       toSeconds(limits_.rest)));
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "framework/core/Clock.hpp"
+#include "framework/network/ClientLimits.hpp"
 #include "framework/network/Peer.hpp"
 #include "protocol/Frames.hpp"
 
@@ -15,16 +16,6 @@ namespace naocal {
 
 using Socket = boost::asio::generic::stream_protocol::socket;
 
-/// Limits per client.
-struct ClientLimits {
-  double messagesPerSecond = 1000;       // average; bursts of twice as many
-  std::uint32_t maxBodyBytes = 1 << 16;  // [bytes] per received frame
-  std::size_t maxPendingBytes = 8 << 20; // [bytes] queued for a client that does not read
-  /// Maximum time that sent data may stay unacknowledged before the connection counts as lost (TCP_USER_TIMEOUT); this
-  /// also ends clients that do not read. 0: system default, no limit for a client that does not read.
-  std::chrono::milliseconds unacknowledgedTimeout{0};
-};
-
 /// One client's socket: splits received bytes into frames, sends without blocking. Closes on the first protocol
 /// violation and logs a sentence. Runs on the sockets' thread only.
 class Connection final : public Peer {
@@ -36,6 +27,13 @@ public:
   void start();
   void end(); // notifies the protocol and calls `ended`, once
 
+  /// Closes the connection if its first message, or any message of a client that may not be silent, is overdue.
+  void closeIfSilent(TimePoint now);
+
+  bool hasSpoken() const { return hasSpoken_; }          // has sent a complete message
+  TimePoint lastMessage() const { return lastMessage_; } // of the start, before the first message
+  bool hasDataWaiting() const;                           // received bytes that were not read yet
+
   std::shared_ptr<Connection> self() { return std::static_pointer_cast<Connection>(shared_from_this()); }
 
   void send(std::shared_ptr<const std::string> bytes) override;
@@ -46,6 +44,8 @@ private:
   void readHeader();
   void readBody(std::uint8_t type, std::uint32_t size);
   void handle(std::uint8_t type);
+  void continueMessage();
+  void attempt(const std::function<bool()>& work);
   void write();
   void writeWhenPossible();
   bool tooFast();
@@ -58,7 +58,7 @@ private:
   ClientLimits limits_;
   Log log_;
   Ended ended_;
-  bool open_ = true;
+  bool open_ = true, hasSpoken_ = false;
   std::string header_, body_;
   std::deque<std::shared_ptr<const std::string>> queue_; // the front is being written
   std::size_t written_ = 0;                              // bytes of the front already written

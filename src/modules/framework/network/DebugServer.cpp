@@ -63,6 +63,15 @@ bool DebugServer::isTrusted(const Peer& peer) const {
   return access_.isOpen(peer.address());
 }
 
+bool DebugServer::needsSecret(const std::string& address) const {
+  return !access_.isOpen(address);
+}
+
+bool DebugServer::isInUse(const Peer& peer) const {
+  const auto client = clients_.find(peer.weak_from_this());
+  return isTrusted(peer) && client != clients_.end() && !client->second.keys.empty();
+}
+
 void DebugServer::onReceived(Peer& peer, std::uint8_t type, std::string body) {
   const auto client = clients_.find(peer.weak_from_this());
   if (client == clients_.end()) {

@@ -32,6 +32,9 @@ public:
   void onReceived(Peer& peer, std::uint8_t type, std::string body) override;
   void onClosed(Peer& peer) override;
   bool isTrusted(const Peer& peer) const override;
+  bool needsSecret(const std::string& address) const override;
+  bool isInUse(const Peer& peer) const override; // has subscriptions
+  bool mayBeSilent(const Peer& peer) const override { return isInUse(peer); }
 
   /// The image samples that a ready client subscribes to; the caller encodes them, on any thread, before `send`. Adds
   /// overdue images of the same thread to the report.

@@ -7,9 +7,11 @@
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/local/stream_protocol.hpp>
 #include <fmt/format.h>
+#include <map>
 #include <netinet/tcp.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
+#include <tuple>
 
 namespace naocal {
 
@@ -58,9 +60,10 @@ void keepQueueShort(Socket& socket) {
 
 } // namespace
 
-Listener::Listener(boost::asio::io_context& context, Protocol& protocol, std::size_t maxClients, ClientLimits limits,
-                   Log log)
-    : context_{context}, protocol_{protocol}, mostClients_{maxClients}, limits_{limits}, log_{std::move(log)} {}
+Listener::Listener(boost::asio::io_context& context, Protocol& protocol, Places places, ClientLimits limits, Log log)
+    : context_{context}, protocol_{protocol}, places_{places}, limits_{limits}, log_{std::move(log)}, sweep_{context} {
+  watchSilence();
+}
 
 Listener::~Listener() {
   while (!connections_.empty()) {
@@ -139,15 +142,55 @@ void Listener::accept(Acceptor& door) {
   });
 }
 
-void Listener::makeRoom() {
-  if (connections_.size() < mostClients_) {
-    return;
+std::shared_ptr<Connection> Listener::leastNeeded(const std::string& address) const {
+  std::map<std::string, std::size_t> crowds; // clients by address
+  for (const auto& client : connections_) {
+    ++crowds[client->address()];
   }
-  const auto stranger = std::find_if(connections_.begin(), connections_.end(),
-                                     [this](const auto& client) { return !protocol_.isTrusted(*client); });
-  if (stranger != connections_.end()) {
-    (*stranger)->end();
+  const std::size_t newCrowd = crowds[address];
+  const auto rankOf = [&](const Connection& client) {
+    const bool isKnown = client.hasSpoken() && protocol_.isTrusted(client);
+    return isKnown ? (protocol_.isInUse(client) ? 3 : 2) : (client.hasDataWaiting() ? 1 : 0);
+  };
+  std::shared_ptr<Connection> least;
+  std::tuple<int, std::size_t, TimePoint> leastOrder;
+  for (const auto& client : connections_) {
+    const int rank = rankOf(*client);
+    const std::size_t crowd = crowds[client->address()];
+    const std::tuple order{rank, connections_.size() - crowd, client->lastMessage()};
+    if (!(least && leastOrder <= order) && (rank < 2 || !protocol_.needsSecret(address)) &&
+        (rank < 3 || crowd >= newCrowd + 2)) {
+      least = client;
+      leastOrder = order;
+    }
   }
+  if (!least && places_.kept > 0) {
+    least = *std::min_element(
+        connections_.end() - std::ptrdiff_t(std::min(places_.kept, connections_.size())), connections_.end(),
+        [](const auto& one, const auto& other) { return one->lastMessage() < other->lastMessage(); });
+  }
+  return least;
+}
+
+void Listener::makeRoom(const std::string& address) {
+  if (connections_.size() >= places_.clients + places_.kept) {
+    if (const auto least = leastNeeded(address)) {
+      least->end();
+    }
+  }
+}
+
+void Listener::watchSilence() {
+  sweep_.expires_after(std::clamp<Duration>(std::min(limits_.firstMessage, limits_.rest) / 10,
+                                            std::chrono::milliseconds{1}, std::chrono::milliseconds{500}));
+  sweep_.async_wait([this](const error_code& stopped) {
+    if (!stopped) {
+      for (const auto& client : std::vector{connections_}) { // copy: a client that ends removes itself
+        client->closeIfSilent(Clock::now());
+      }
+      watchSilence();
+    }
+  });
 }
 
 void Listener::welcome(Socket socket) {
@@ -157,10 +200,10 @@ void Listener::welcome(Socket socket) {
     return;
   }
   const std::string address = addressOf(endpoint);
-  makeRoom();
-  if (connections_.size() >= mostClients_) {
+  makeRoom(address);
+  if (const std::size_t most = places_.clients + places_.kept; connections_.size() >= most) {
     log_(fmt::format("Client {}: {} clients are connected already, which is the limit; the connection was closed.",
-                     address.empty() ? "on this computer" : address, mostClients_));
+                     address.empty() ? "on this computer" : address, most));
     return;
   }
   if (!address.empty()) {
@@ -168,9 +211,10 @@ void Listener::welcome(Socket socket) {
     watchNetwork(socket, limits_.unacknowledgedTimeout);
     keepQueueShort(socket);
   }
-  const auto connection = std::make_shared<Connection>(std::move(socket), address, protocol_, limits_, log_,
-                                                       [this](Connection& ended) { connections_.erase(ended.self()); });
-  connections_.insert(connection);
+  const auto connection =
+      std::make_shared<Connection>(std::move(socket), address, protocol_, limits_, log_,
+                                   [this](Connection& ended) { std::erase(connections_, ended.self()); });
+  connections_.push_back(connection);
   connection->start();
 }
 

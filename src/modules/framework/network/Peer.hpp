@@ -37,8 +37,8 @@ public:
   using std::runtime_error::runtime_error;
 };
 
-/// Handles the frames of a server's clients. `onOpened` is called first, `onClosed` last. `onReceived` may throw
-/// ProtocolError.
+/// Handles the frames of a server's clients. `onOpened` is called first, `onClosed` last. `onReceived` and
+/// `continueMessage` may throw ProtocolError.
 class Protocol {
 public:
   virtual ~Protocol() = default;
@@ -46,8 +46,18 @@ public:
   virtual void onOpened(Peer& peer) = 0;
   virtual void onReceived(Peer& peer, std::uint8_t type, std::string body) = 0;
   virtual void onClosed(Peer& peer) = 0;
+  /// Works on the next part of a long message of the client; true if more remains. Called once per turn of the sockets'
+  /// thread, so that others are served in between; the client's next message is read after the last part.
+  virtual bool continueMessage(Peer&) { return false; }
   /// Whether the client needs no secret or has sent it; an untrusted client is closed first when all places are taken.
   virtual bool isTrusted(const Peer& peer) const = 0;
+  /// Whether a new client at this address (empty: on a UNIX socket) is not trusted yet.
+  virtual bool needsSecret(const std::string& address) const = 0;
+  /// Whether the robot does something for the client while it is silent; such a client is closed last when all places
+  /// are taken.
+  virtual bool isInUse(const Peer& peer) const = 0;
+  /// Whether the client may be silent for longer than ClientLimits::rest.
+  virtual bool mayBeSilent(const Peer& peer) const = 0;
 };
 
 } // namespace naocal

@@ -1,6 +1,7 @@
 #include "framework/network/Sockets.hpp"
 
 #include "framework/configuration/ConfigurationLayers.hpp"
+#include "framework/network/BoundedLog.hpp"
 #include "framework/network/ConfigServer.hpp"
 #include "framework/network/DebugServer.hpp"
 #include "framework/network/Listener.hpp"
@@ -74,6 +75,18 @@ private:
   }
 };
 
+ClientLimits debugLimits(const SocketSettings& settings) {
+  return {
+      .messagesPerSecond = settings.messagesPerSecond, .firstMessage = settings.firstMessage, .rest = settings.rest};
+}
+
+ClientLimits configLimits(const SocketSettings& settings) {
+  ClientLimits limits = debugLimits(settings);
+  limits.maxBodyBytes = 1 << 20;
+  limits.unacknowledgedTimeout = std::chrono::seconds{6};
+  return limits;
+}
+
 } // namespace
 
 SocketSettings readSocketSettings(const ConfigurationFolders& configuration, const std::string& headName) {
@@ -110,16 +123,11 @@ SocketSettings readSocketSettings(const ConfigurationFolders& configuration, con
 
 struct SocketServers::Implementation {
   Implementation(const SocketSettings& settings, const std::vector<Thread*>& threads, Configuration& configuration,
-                 TimePoint base, const Log& log)
-      : access{settings.access}, debug{threads, access, base}, config{configuration, access, log},
-        debugListener{context, debug, settings.maxClients, {.messagesPerSecond = settings.messagesPerSecond}, log},
-        configListener{context,
-                       config,
-                       settings.maxClients,
-                       {.messagesPerSecond = settings.messagesPerSecond,
-                        .maxBodyBytes = 1 << 20,
-                        .unacknowledgedTimeout = std::chrono::seconds{6}},
-                       log} {
+                 TimePoint base, Log unbounded)
+      : bounded{std::move(unbounded)}, access{settings.access}, debug{threads, access, base}, config{configuration,
+                                                                                                     access, log},
+        debugListener{context, debug, {settings.maxClients, settings.keptPlaces}, debugLimits(settings), log},
+        configListener{context, config, {settings.maxClients, settings.keptPlaces}, configLimits(settings), log} {
     access.onOpened([this](const std::string& address) { debug.sendListTo(address); });
     if (settings.tcp) {
       debugPort = debugListener.listenTcp(settings.access.address, settings.debugPort);
@@ -135,7 +143,8 @@ struct SocketServers::Implementation {
       mailbox.forward();
       cycling->setListener(mailbox.outbox);
     }
-    thread = std::thread{[this, log] { run(log); }};
+    boost::asio::post(encoder, runInBackground);
+    thread = std::thread{[this] { run(); }};
   }
 
   ~Implementation() {
@@ -145,7 +154,8 @@ struct SocketServers::Implementation {
     encoder.join();
   }
 
-  void run(const Log& log) {
+  void run() {
+    runInBackground();
     for (;;) {
       try {
         context.run();
@@ -156,6 +166,8 @@ struct SocketServers::Implementation {
     }
   }
 
+  BoundedLog bounded; // shared by all that the sockets' thread runs
+  const Log log = [this](std::string_view sentence) { bounded(sentence); };
   Access access;
   DebugServer debug;
   ConfigServer config;
@@ -170,7 +182,7 @@ struct SocketServers::Implementation {
 
 SocketServers::SocketServers(const SocketSettings& settings, const std::vector<Thread*>& threads,
                              Configuration& configuration, TimePoint base, Log log)
-    : implementation_{std::make_unique<Implementation>(settings, threads, configuration, base, log)} {}
+    : implementation_{std::make_unique<Implementation>(settings, threads, configuration, base, std::move(log))} {}
 SocketServers::~SocketServers() = default;
 
 std::uint16_t SocketServers::debugPort() const {

@@ -3,6 +3,7 @@
 #include "framework/configuration/ConfigurationLayers.hpp"
 #include "framework/core/Clock.hpp"
 #include "framework/network/Access.hpp"
+#include "framework/network/ClientLimits.hpp"
 #include "framework/network/Peer.hpp"
 
 #include <cstddef>
@@ -25,6 +26,8 @@ struct SocketSettings {
   std::filesystem::path unixFolder;                    // folder of the UNIX sockets `debug` and `config`; empty: none
   std::size_t maxClients = 16;                         // per server
   double messagesPerSecond = 1000;                     // per client
+  std::size_t keptPlaces = 4;                          // per server, beyond `maxClients` (Listener)
+  std::chrono::milliseconds firstMessage = ClientLimits{}.firstMessage, rest = ClientLimits{}.rest;
 };
 
 /// Reads sdk.json (shipped and saved layers; HULKs' keys: network.basePort, network.enableDebugTCPTransport,

@@ -155,10 +155,14 @@ export function download(name, content, type) {
   setTimeout(() => URL.revokeObjectURL(url), 1000);
 }
 
-/** @param {any[][]} rows */
+const isMeasure = /** @param {string} text */ text => /^[+-]?[\d.]+(e[+-]?\d+)?( ± [\d.]+(e[+-]?\d+)?)?( ?[°\w/%²]*)?$/i.test(text);
+
+/** Comma-separated values. An apostrophe before a text that spreadsheets would take for a formula makes it a text.
+ * @param {any[][]} rows */
 export const csv = rows => rows.map(row => row.map(cell => {
-  const text = cell === null || cell === undefined ? "" : String(cell);
-  return /[",\n]/.test(text) ? '"' + text.replaceAll('"', '""') + '"' : text;
+  const given = cell === null || cell === undefined ? "" : String(cell);
+  const text = /^[\s]*[=+\-@]|^[\t\r]/.test(given) && !isMeasure(given) ? "'" + given : given;
+  return /[",\r\n]/.test(text) ? '"' + text.replaceAll('"', '""') + '"' : text;
 }).join(",")).join("\n") + "\n";
 
 /** A table with a button that saves it as CSV. @param {HTMLTableElement} table @param {string} name */
