@@ -36,6 +36,7 @@ int main(int argc, char** argv) {
   app.footer("Example: naocal simulate /tmp/set && naocal solve /tmp/set -o /tmp/result.json");
   int exitCode = 0;
   naocal::addSimulate(app);
+  naocal::addCheck(app, exitCode);
   naocal::addDetect(app);
   naocal::addSolve(app, exitCode);
   naocal::addCompare(app);

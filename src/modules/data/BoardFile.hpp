@@ -4,6 +4,7 @@
 #include "io/JsonReader.hpp"
 
 #include <array>
+#include <nlohmann/json_fwd.hpp>
 #include <numbers>
 #include <vector>
 
@@ -33,6 +34,11 @@ Placement readFloorPlacement(const JsonCursor& place);
 
 /// Reads an entry of a capture set's `boards`.
 Board readBoard(const JsonCursor& place);
+
+/// An entry of a capture set's `boards`, and a placement; `read`: the entry it was read from, or null, whose unknown
+/// keys are preserved.
+nlohmann::ordered_json toJson(const Board& board, const nlohmann::json& read);
+nlohmann::ordered_json toJson(const Placement& placement, bool onFloor, const nlohmann::json& read);
 
 /// Reads the ChArUco keys of a board; absent keys keep the defaults of CharucoPattern. Refuses unprintable patterns.
 CharucoPattern readPattern(const JsonCursor& board);
