@@ -45,6 +45,7 @@ int main(int argc, char** argv) {
   naocal::addExplore(app);
   naocal::addPoses(app);
   naocal::addReport(app);
+  naocal::addBoard(app);
   naocal::addDemo(app, exitCode);
   naocal::addEvaluate(app);
   try {

@@ -16,6 +16,7 @@ void addDiagnose(CLI::App& app, int& exitCode);
 void addExplore(CLI::App& app);
 void addPoses(CLI::App& app);
 void addReport(CLI::App& app);
+void addBoard(CLI::App& app);
 void addCheck(CLI::App& app, int& exitCode);
 void addDemo(CLI::App& app, int& exitCode);
 void addEvaluate(CLI::App& app);

@@ -2,6 +2,7 @@
 #include "console/CommandLine.hpp"
 #include "console/OutputFiles.hpp"
 #include "console/PrintPlan.hpp"
+#include "data/BoardListFile.hpp"
 #include "data/CaptureSetFile.hpp"
 #include "io/InputError.hpp"
 #include "math/Angles.hpp"
@@ -12,6 +13,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdlib>
+#include <filesystem>
 #include <fmt/core.h>
 #include <fmt/format.h>
 #include <map>
@@ -30,21 +32,12 @@ PlanInputs defaultPlanInputs() {
   return {usual.boards, usual.cameras};
 }
 
-/// Boards and cameras of a capture set; guessed placements serve as starting values. Throws InputError if no board lies
-/// on the floor.
-PlanInputs readPlanInputs(const std::string& captureSet) {
-  const CaptureSet set = readCaptureSet(captureSet, BadCapturePolicy::skip).set;
-  PlanInputs result{{}, set.cameras};
-  for (Board board : set.boards) {
-    if (board.link == "floor") {
-      board.placement = board.placement || !board.hasGuess ? board.placement : board.placementGuess;
-      result.boards.push_back(board);
-    }
-  }
-  if (result.boards.empty()) {
-    throw InputError{fmt::format("{}: expected a board on the floor, found none", captureSet)};
-  }
-  return result;
+/// Boards on the floor of a boards file, with nominal cameras, or of a capture set, with its own; guessed placements
+/// serve as starting values. Throws InputError if no board lies on the floor.
+PlanInputs readPlanInputs(const std::string& place) {
+  const bool isSet = std::filesystem::is_directory(place);
+  return {readFloorBoards(place),
+          isSet ? readCaptureSet(place, BadCapturePolicy::skip).set.cameras : defaultPlanInputs().cameras};
 }
 
 /// Keeps the poses and board placements of an earlier plan. Throws InputError if the boards differ, or its poses are on
@@ -184,10 +177,10 @@ void addPoses(CLI::App& app) {
       ->add_option("--extend", command->extend,
                    "POSES.json, the plan to extend: its poses and boards stay, --select more poses are added")
       ->excludes("--mirror");
-  poses->add_option(
-      "--boards", command->boards,
-      "capture set with the boards and cameras to plan for (placements in the frame of the support sole); default: "
-      "four A2 boards");
+  poses->add_option("--boards", command->boards,
+                    "boards file, or capture set, with the boards (of a set also the cameras) to plan for, placements "
+                    "in the frame of "
+                    "the support sole; default: four A2 boards");
   poses->add_flag("--whole-boards", plan.poses.sight.wholeBoards,
                   "a board counts only where it is wholly in the picture");
   poses
