@@ -9,6 +9,7 @@
 #include "poses/PoseFile.hpp"
 #include "poses/PosePlan.hpp"
 #include "poses/criteria/PlanOptions.hpp"
+#include "print/FloorPlan.hpp"
 #include "simulation/SimulationPlan.hpp"
 
 #include <CLI/CLI.hpp>
@@ -97,7 +98,7 @@ std::map<std::string, Criterion> criteria() {
 }
 
 struct PosesCommand {
-  std::string robot = "V6", output, poseFiles, boards, extend;
+  std::string robot = "V6", output, poseFiles, boards, extend, floor;
   double jointErrorDegrees = 6.5, sigmaDegrees = 0.2;
   std::vector<std::string> weights;
   PlanOptions plan;
@@ -122,6 +123,12 @@ struct PosesCommand {
     printPlan(result);
     writeJson(planJson(result, drawn), output);
     fmt::print("{} holds the poses and where the boards are\n", output);
+    if (!floor.empty()) {
+      PdfDocument pdf{floorPdfCreator, "Floor plan of naocal poses"};
+      addFloorPlan(pdf, result, drawn);
+      writePdf(floor, pdf.finish(), floorPdfCreator);
+      fmt::print("{} shows where to lay the boards, to print\n", floor);
+    }
     if (!poseFiles.empty()) {
       writePoseFiles(result, drawn, poseFiles);
       fmt::print("{} holds a .pose file for each\n", poseFiles);
@@ -142,6 +149,10 @@ void addPoses(CLI::App& app) {
       ->required()
       ->check(replaceableFile("naocal-poses"));
   poses->add_option("--pose-files", command->poseFiles, "a folder for HULKs' .pose files too");
+  poses
+      ->add_option("--floor", command->floor,
+                   "PLAN.pdf, to be written: the floor with boards, feet and distances, to print")
+      ->check(replaceablePdf(floorPdfCreator));
   poses->add_option("--robot", command->robot, "its model")->capture_default_str();
   poses->add_option("--support", plan.poses.supportFoot, "the foot to stand on: left, right or both")
       ->transform(CLI::CheckedTransformer(supportFeet, CLI::ignore_case));
