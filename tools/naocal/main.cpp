@@ -46,6 +46,7 @@ int main(int argc, char** argv) {
   naocal::addPoses(app);
   naocal::addReport(app);
   naocal::addBoard(app);
+  naocal::addReplay(app, exitCode);
   naocal::addDemo(app, exitCode);
   naocal::addEvaluate(app);
   try {
