@@ -1,6 +1,8 @@
 #include "Hardware.hpp"
 #include "RobotProcess.hpp"
 #include "StateFolder.hpp"
+#include "data/BoardFile.hpp"
+#include "data/BoardListFile.hpp"
 #include "hardware/simulated/SimulatedPlan.hpp"
 #include "io/Failure.hpp"
 #include "io/Files.hpp"
@@ -18,7 +20,7 @@ namespace {
 
 struct Options {
   std::string hardware = "simulated", simulation;
-  std::filesystem::path recording;
+  std::filesystem::path recording, boards;
   std::uint64_t seed = 1;
   RobotProcessOptions process{configurationDirectory(), "recordings", "", std::nullopt, true};
 };
@@ -31,6 +33,27 @@ void say(std::string_view sentence) {
 /// The calibration round of a recording; a single set is its own round.
 std::filesystem::path roundOf(const std::filesystem::path& recording) {
   return std::filesystem::exists(recording / "first") ? recording / "first" : recording;
+}
+
+/// Sets the size of the boards of a boards file, for the calibration.
+void useBoards(const std::filesystem::path& file, RobotProcess& process) {
+  nlohmann::json list = nlohmann::json::array();
+  for (const Board& board : readFloorBoards(file)) {
+    list.push_back(nlohmann::json(toJson(board, nullptr)));
+  }
+  process.configuration().set("Brain.CalibrationRunner", "boards", list);
+}
+
+/// The same boards before a simulated robot, which stay where its poses need them.
+void lay(const std::filesystem::path& file, SimulatedPlan& plan) {
+  for (const Board& board : readFloorBoards(file)) {
+    for (Board& laid : plan.boards) {
+      if (laid.id == board.id && board.pattern) {
+        laid.pattern = board.pattern;
+        laid.points = board.points;
+      }
+    }
+  }
 }
 
 /// Replays with the recorded configuration, into a new recording.
@@ -61,7 +84,10 @@ Hardware hardwareOf(Options& options) {
   if (options.hardware == "replay") {
     return replay(options);
   }
-  const SimulatedPlan plan = simulatedPlan(options.seed, options.process.configuration);
+  SimulatedPlan plan = simulatedPlan(options.seed, options.process.configuration);
+  if (!options.boards.empty()) {
+    lay(options.boards, plan);
+  }
   return simulatedHardware(options.simulation.empty() ? plan : readSimulatedPlan(options.simulation, plan),
                            options.process.configuration);
 }
@@ -88,6 +114,9 @@ int run(Options options) {
   removeAbandonedWrites(options.process.recordings);
   say(fmt::format("What the robot learns is saved in {}.", options.process.state.string()));
   RobotProcess process{*hardware.robot, *hardware.cameras, hardware.drawing, *identity, options.process, say};
+  if (!options.boards.empty()) {
+    useBoards(options.boards, process);
+  }
   std::atomic<bool> failed{false}, ended{false};
   process.start([&, self = ::pthread_self()](std::string_view sentence) {
     failed = !sentence.empty();
@@ -127,6 +156,10 @@ int main(int argc, char** argv) {
       ->check(CLI::ExistingDirectory);
   app.add_option("--simulation", options.simulation,
                  "a file that says more of the simulated robot: ranges of its errors and gears' play, boards, cameras")
+      ->check(CLI::ExistingFile);
+  app.add_option(
+         "--boards", options.boards,
+         "boards file of 'naocal board', with the real sizes of the boards on the floor; default: as configured")
       ->check(CLI::ExistingFile);
   app.add_option("--configuration", options.process.configuration,
                  "folder with location/, drawings/ and poses/; it is only read")

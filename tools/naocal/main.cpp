@@ -38,6 +38,7 @@ int main(int argc, char** argv) {
   int exitCode = 0;
   constexpr std::size_t most = naocal::longestSentence;
   naocal::addSimulate(app);
+  naocal::addCheck(app, exitCode);
   naocal::addDetect(app);
   naocal::addSolve(app, exitCode);
   naocal::addCompare(app);
@@ -49,6 +50,8 @@ int main(int argc, char** argv) {
   naocal::addApply(app);
   naocal::addExport(app);
   naocal::addImport(app);
+  naocal::addBoard(app);
+  naocal::addReplay(app, exitCode);
   naocal::addDemo(app, exitCode);
   naocal::addEvaluate(app);
   try {

@@ -2,6 +2,7 @@
 
 #include "data/Board.hpp"
 #include "data/CaptureSetFile.hpp"
+#include "io/JsonWriter.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -13,7 +14,6 @@ namespace naocal {
 namespace {
 
 constexpr Range lengthRange{-1000, 1000, "m"};
-constexpr Range positiveLengthRange{1e-6, 1000, "m"};
 constexpr Range positiveAngleRange{1e-9, 2 * std::numbers::pi, "radians"};
 
 /// Required keys of a placement; a single mark has no orientation.
@@ -113,6 +113,26 @@ CharucoPattern readPattern(const JsonCursor& place) {
   return pattern;
 }
 
+using nlohmann::json;
+using Written = nlohmann::ordered_json;
+
+/// `zeros`: keys of value 0 are written, too.
+Written placementJson(const Placement& placement, bool onFloor, const json& read, bool zeros = true) {
+  Written known;
+  for (const PlacementKey& key : placementKeys) {
+    const double value = placement.*key.value;
+    const bool isWritten = (key.onFloor || !onFloor) && (zeros || value != 0);
+    known[key.key] = isWritten ? Written(value) : Written();
+  }
+  return mergeUnknownKeys(known, read);
+}
+
+Written sigmaJson(const Placement& sigma, bool onFloor, const json& read) {
+  const bool isNumber = sigma.x > 0 && sigma.x == sigma.y && (onFloor || sigma.x == sigma.z) && sigma.roll == 0 &&
+                        sigma.pitch == 0 && sigma.yaw == 0 && !read.is_object();
+  return isNumber ? Written(sigma.x) : placementJson(sigma, onFloor, read, false);
+}
+
 } // namespace
 
 Placement readFloorPlacement(const JsonCursor& place) {
@@ -160,6 +180,38 @@ void requireDistinctMarkers(const std::vector<Board>& boards, const JsonCursor& 
       }
     }
   }
+}
+
+nlohmann::ordered_json toJson(const Placement& placement, bool onFloor, const nlohmann::json& read) {
+  return placementJson(placement, onFloor, read);
+}
+
+nlohmann::ordered_json toJson(const Board& board, const nlohmann::json& read) {
+  const bool onFloor = board.link == "floor";
+  Written known{{"id", board.id}, {"link", board.link}};
+  const CharucoPattern pattern = board.pattern.value_or(CharucoPattern{});
+  const auto ofPattern = [&](auto value) { return board.pattern ? Written(value) : Written(); };
+  known["dictionary"] = ofPattern(pattern.dictionary);
+  known["squaresX"] = ofPattern(pattern.squaresX);
+  known["squaresY"] = ofPattern(pattern.squaresY);
+  known["squareLength"] = ofPattern(pattern.squareLength);
+  known["markerLength"] = ofPattern(pattern.markerLength);
+  known["firstMarkerId"] = ofPattern(pattern.firstMarkerId);
+  known["legacyPattern"] = ofPattern(pattern.legacyPattern);
+  known["points"] = nullptr;
+  if (!board.pattern) {
+    for (const Eigen::Vector3d& point : board.points) {
+      known["points"].push_back({point.x(), point.y(), point.z()});
+    }
+  }
+  const auto placement = [&](const char* key, const std::optional<Placement>& given) {
+    known[key] = given ? placementJson(*given, onFloor, childOrNull(read, key)) : Written();
+  };
+  placement("placement", board.placement);
+  placement("placementGuess", board.hasGuess ? std::optional{board.placementGuess} : std::nullopt);
+  known["placementSigma"] =
+      board.placementSigma ? sigmaJson(*board.placementSigma, onFloor, childOrNull(read, "placementSigma")) : Written();
+  return mergeUnknownKeys(known, read);
 }
 
 } // namespace naocal

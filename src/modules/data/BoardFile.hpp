@@ -4,11 +4,13 @@
 #include "io/JsonReader.hpp"
 
 #include <array>
+#include <nlohmann/json_fwd.hpp>
 #include <numbers>
 #include <vector>
 
 namespace naocal {
 
+inline constexpr Range positiveLengthRange{1e-6, 1000, "m"};
 inline constexpr Range angleRange{-2 * std::numbers::pi, 2 * std::numbers::pi, "radians"};
 
 /// A key of a placement; on the floor only the keys that keep a sheet flat are used.
@@ -31,6 +33,11 @@ Placement readFloorPlacement(const JsonCursor& place);
 
 /// Reads an entry of a capture set's `boards`.
 Board readBoard(const JsonCursor& place);
+
+/// An entry of a capture set's `boards`, and a placement; `read`: the entry it was read from, or null, whose unknown
+/// keys are preserved.
+nlohmann::ordered_json toJson(const Board& board, const nlohmann::json& read);
+nlohmann::ordered_json toJson(const Placement& placement, bool onFloor, const nlohmann::json& read);
 
 /// Refuses markers shared by two boards, since a picture cannot distinguish them.
 void requireDistinctMarkers(const std::vector<Board>& boards, const JsonCursor& place);

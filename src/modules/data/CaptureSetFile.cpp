@@ -6,6 +6,7 @@
 #include "io/InputError.hpp"
 #include "io/JsonReader.hpp"
 #include "io/JsonWriter.hpp"
+#include "io/Refusals.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -56,68 +57,111 @@ void requireOneHipYawPitch(const std::vector<double>& measured, const CaptureSet
   }
 }
 
-JointReadings readJoints(const JsonCursor& place, const CaptureSet& set) {
+/// A capture set while it is read. Where refusals are collected, it also knows the ids of what was refused, so that
+/// what refers to it is not refused as well.
+struct Reading {
+  CaptureSet& set;
+  Refusals& refusals;
+  std::set<std::string> refusedCameras = {}, refusedBoards = {};
+  std::set<int> refusedStances = {};
+  bool knowsJoints = true, knowsCameras = true, knowsBoards = true, knowsStances = true; // the lists themselves
+};
+
+/// Reads one list under `joints`; NaN stands for null, which is valid where `measured` has it too.
+std::vector<double> readJointList(const JsonCursor& place, const JointList& list, const JointReadings& joints,
+                                  Reading& reading) {
+  std::vector<double> values;
+  const std::size_t count = reading.set.jointNames.size();
+  const bool isListOfAll = place.value().is_array() && place.value().size() == count;
+  if (reading.refusals.isCollecting() && isListOfAll) { // refuses number by number
+    for (const JsonCursor& element : place.elements()) {
+      values.push_back(std::numeric_limits<double>::quiet_NaN());
+      reading.refusals.attempt(
+          [&] { values.back() = element.value().is_null() ? values.back() : element.number(list.range); });
+    }
+  } else {
+    values = place.numbers(count, list.range, "one per name in jointNames", true);
+  }
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const bool isRecorded = i < joints.measured.size() && !std::isnan(joints.measured[i]);
+    if (std::isnan(values[i]) && isRecorded && place.value()[i].is_null()) {
+      reading.refusals.attempt([&] { place.elements()[i].number(list.range); });
+    }
+  }
+  return values;
+}
+
+JointReadings readJoints(const JsonCursor& place, Reading& reading) {
   JointReadings joints;
-  place.at("measured");
+  reading.refusals.attempt([&] { place.at("measured"); });
   for (const JointList& list : jointLists) {
     const auto given = place.find(list.key);
-    if (!given) {
-      continue;
-    }
-    auto& values = joints.*list.values;
-    values = given->numbers(set.jointNames.size(), list.range, "one per name in jointNames", true);
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      if (std::isnan(values[i]) && !std::isnan(joints.measured[i])) { // null stands for joints that were not recorded
-        given->elements()[i].number(list.range);
-      }
+    if (given && reading.knowsJoints) {
+      reading.refusals.attempt([&] { joints.*list.values = readJointList(*given, list, joints, reading); });
     }
   }
   for (std::size_t i = 0; i < joints.approach.size(); ++i) {
     if (joints.approach[i] != std::round(joints.approach[i]) && !std::isnan(joints.approach[i])) {
-      place.at("approach").elements()[i].refuse("-1, 0 or +1");
+      reading.refusals.attempt([&] { place.at("approach").elements()[i].refuse("-1, 0 or +1"); });
     }
   }
-  requireOneHipYawPitch(joints.measured, set, place.at("measured"));
+  if (joints.measured.size() == reading.set.jointNames.size()) {
+    reading.refusals.attempt([&] { requireOneHipYawPitch(joints.measured, reading.set, place.at("measured")); });
+  }
   return joints;
 }
 
-BoardCorners readBoardCorners(const JsonCursor& place, const CaptureSet& set, const CameraIntrinsics& camera) {
+/// `camera`: nullptr if it was refused; corners are then not compared with its image.
+BoardCorners readBoardCorners(const JsonCursor& place, const CameraIntrinsics* camera, Reading& reading) {
+  const CaptureSet& set = reading.set;
+  Refusals& refusals = reading.refusals;
   BoardCorners corners;
   corners.board = place.at("board").text();
   const auto board = std::find_if(set.boards.begin(), set.boards.end(),
                                   [&](const Board& candidate) { return candidate.id == corners.board; });
-  if (board == set.boards.end()) {
-    place.at("board").refuse("the id of one of the set's `boards`");
+  const bool isKnown = board != set.boards.end();
+  if (!isKnown && reading.knowsBoards && !reading.refusedBoards.contains(corners.board)) {
+    refusals.attempt([&] { place.at("board").refuse("the id of one of the set's `boards`"); });
   }
   std::set<int> seen;
-  for (const JsonCursor& id : place.at("ids").elements()) {
-    corners.ids.push_back(id.integer(0, static_cast<int>(board->points.size()) - 1));
-    if (!seen.insert(corners.ids.back()).second) {
-      id.refuse("every corner of a board once per picture");
-    }
+  const auto ids = place.at("ids").elements();
+  for (const JsonCursor& id : ids) {
+    refusals.attempt([&] {
+      corners.ids.push_back(id.integer(0, isKnown ? static_cast<int>(board->points.size()) - 1 : maxInteger));
+      if (!seen.insert(corners.ids.back()).second) {
+        id.refuse("every corner of a board once per picture");
+      }
+    });
   }
   const JsonCursor uv = place.at("uv");
   const auto pairs = uv.elements();
-  if (pairs.size() != corners.ids.size()) {
-    uv.refuse(fmt::format("a list of {} pairs (one per entry of `ids`)", corners.ids.size()));
+  if (pairs.size() != ids.size()) {
+    uv.refuse(fmt::format("a list of {} pairs (one per entry of `ids`)", ids.size()));
   }
+  const double anywhere = 1e9;
   for (const JsonCursor& pair : pairs) {
-    pair.numbers(2, {-1e9, 1e9, "px"}, "u, v");
-    const auto uAndV = pair.elements();
-    corners.uv.emplace_back(uAndV[0].number({-imageMargin, camera.width + imageMargin, "px"}),
-                            uAndV[1].number({-imageMargin, camera.height + imageMargin, "px"}));
+    refusals.attempt([&] {
+      pair.numbers(2, {-anywhere, anywhere, "px"}, "u, v");
+      const auto uAndV = pair.elements();
+      const double right = camera != nullptr ? camera->width + imageMargin : anywhere,
+                   below = camera != nullptr ? camera->height + imageMargin : anywhere;
+      corners.uv.emplace_back(uAndV[0].number({camera != nullptr ? -imageMargin : -anywhere, right, "px"}),
+                              uAndV[1].number({camera != nullptr ? -imageMargin : -anywhere, below, "px"}));
+    });
   }
   return corners;
 }
 
-std::vector<BoardCorners> readCorners(const JsonCursor& place, const CaptureSet& set, const CameraIntrinsics& camera) {
+std::vector<BoardCorners> readCorners(const JsonCursor& place, const CameraIntrinsics* camera, Reading& reading) {
   std::vector<BoardCorners> corners;
   std::set<std::string> boards;
   for (const JsonCursor& entry : place.elements()) {
-    corners.push_back(readBoardCorners(entry, set, camera));
-    if (!boards.insert(corners.back().board).second) {
-      entry.at("board").refuse("every board once per capture");
-    }
+    reading.refusals.attempt([&] {
+      corners.push_back(readBoardCorners(entry, camera, reading));
+      if (!boards.insert(corners.back().board).second) {
+        entry.at("board").refuse("every board once per capture");
+      }
+    });
   }
   return corners;
 }
@@ -131,40 +175,57 @@ std::string readImagePath(const JsonCursor& place) {
 }
 
 /// Reads an entry of `captures`, checked against the joints, cameras, boards and stances of its set.
-Capture readCapture(const JsonCursor& place, const CaptureSet& set) {
+Capture readCapture(const JsonCursor& place, Reading& reading) {
+  const CaptureSet& set = reading.set;
+  Refusals& refusals = reading.refusals;
   Capture capture;
-  capture.id = place.at("id").integer(std::numeric_limits<int>::min(), std::numeric_limits<int>::max());
-  capture.pose = place.at("pose").text();
-  capture.repeat = place.at("repeat").integer(0, std::numeric_limits<int>::max());
+  refusals.attempt(
+      [&] { capture.id = place.at("id").integer(std::numeric_limits<int>::min(), std::numeric_limits<int>::max()); });
+  refusals.attempt([&] { capture.pose = place.at("pose").text(); });
+  refusals.attempt([&] { capture.repeat = place.at("repeat").integer(0, std::numeric_limits<int>::max()); });
   if (const auto kind = place.find("repeatKind")) {
-    capture.repeatKind = static_cast<RepeatKind>(kind->wordIndex(repeatKindWords));
+    refusals.attempt([&] { capture.repeatKind = static_cast<RepeatKind>(kind->wordIndex(repeatKindWords)); });
   }
-  capture.time = Seconds{place.at("time").number({-1e12, 1e12, "s"})};
-  capture.camera = place.at("camera").text();
-  const auto camera = set.cameras.find(capture.camera);
-  if (camera == set.cameras.end()) {
-    place.at("camera").refuse("the name of one of the set's `cameras`");
-  }
-  capture.supportFoot = static_cast<SupportFoot>(place.at("supportFoot").wordIndex(supportFootWords));
-  capture.stance = place.at("stance").integer(std::numeric_limits<int>::min(), std::numeric_limits<int>::max());
-  if (std::none_of(set.stances.begin(), set.stances.end(), [&](const Stance& s) { return s.id == capture.stance; })) {
-    place.at("stance").refuse("the id of one of the set's `stances`");
-  }
-  capture.joints = readJoints(place.at("joints"), set);
+  refusals.attempt([&] { capture.time = Seconds{place.at("time").number({-1e12, 1e12, "s"})}; });
+  const CameraIntrinsics* camera = nullptr;
+  refusals.attempt([&] {
+    capture.camera = place.at("camera").text();
+    const auto named = set.cameras.find(capture.camera);
+    camera = named == set.cameras.end() ? nullptr : &named->second;
+    if (camera == nullptr && reading.knowsCameras && !reading.refusedCameras.contains(capture.camera)) {
+      place.at("camera").refuse("the name of one of the set's `cameras`");
+    }
+  });
+  refusals.attempt(
+      [&] { capture.supportFoot = static_cast<SupportFoot>(place.at("supportFoot").wordIndex(supportFootWords)); });
+  refusals.attempt([&] {
+    capture.stance = place.at("stance").integer(std::numeric_limits<int>::min(), std::numeric_limits<int>::max());
+    const bool isKnown = std::any_of(set.stances.begin(), set.stances.end(),
+                                     [&](const Stance& candidate) { return candidate.id == capture.stance; });
+    if (!isKnown && reading.knowsStances && !reading.refusedStances.contains(capture.stance)) {
+      place.at("stance").refuse("the id of one of the set's `stances`");
+    }
+  });
+  refusals.attempt([&] { capture.joints = readJoints(place.at("joints"), reading); });
   if (const auto imu = place.find("imu")) {
-    capture.imu = Eigen::Vector2d{imu->at("angleX").number(angleRange), imu->at("angleY").number(angleRange)};
+    refusals.attempt([&] {
+      capture.imu = Eigen::Vector2d{imu->at("angleX").number(angleRange), imu->at("angleY").number(angleRange)};
+    });
   }
   if (const auto fsr = place.find("fsr")) {
-    const auto values = fsr->numbers(8, {-1000, 1000, "kg"}, "left FL, FR, RL, RR, then right");
-    std::copy(values.begin(), values.end(), capture.fsr.emplace().begin());
+    refusals.attempt([&] {
+      const auto values = fsr->numbers(8, {-1000, 1000, "kg"}, "left FL, FR, RL, RR, then right");
+      std::copy(values.begin(), values.end(), capture.fsr.emplace().begin());
+    });
   }
-  if (const auto image = place.find("image")) {
-    capture.image = readImagePath(*image);
+  const auto image = place.find("image");
+  if (image) {
+    refusals.attempt([&] { capture.image = readImagePath(*image); });
   }
   if (const auto corners = place.find("corners")) {
-    capture.corners = readCorners(*corners, set, camera->second);
-  } else if (capture.image.empty()) {
-    place.refuse("`corners`, or an `image` to find them in", "neither");
+    refusals.attempt([&] { capture.corners = readCorners(*corners, camera, reading); });
+  } else if (!image) {
+    refusals.attempt([&] { place.refuse("`corners`, or an `image` to find them in", "neither"); });
   }
   return capture;
 }
@@ -197,17 +258,20 @@ void readRobot(const JsonCursor& place, CaptureSet& set) {
   set.headId = id("headId");
 }
 
-std::vector<std::string> readJointNames(const JsonCursor& place) {
+std::vector<std::string> readJointNames(const JsonCursor& place, Refusals& refusals) {
   std::vector<std::string> names;
   for (const JsonCursor& entry : place.elements()) {
-    const std::string name = entry.text();
-    if (std::find(naoJoints.begin(), naoJoints.end(), name) == naoJoints.end()) {
-      entry.refuse("one of the 26 joint names of a NAO, such as LKneePitch");
-    }
-    if (std::find(names.begin(), names.end(), name) != names.end()) {
-      entry.refuse("every joint once");
-    }
-    names.push_back(name);
+    std::string name;
+    refusals.attempt([&] {
+      name = entry.text();
+      if (std::find(naoJoints.begin(), naoJoints.end(), name) == naoJoints.end()) {
+        entry.refuse("one of the 26 joint names of a NAO, such as LKneePitch");
+      }
+      if (std::find(names.begin(), names.end(), name) != names.end()) {
+        entry.refuse("every joint once");
+      }
+    });
+    names.push_back(name); // also where it was refused: lists of angles have one number for it
   }
   if (names.empty()) {
     place.refuse("at least one joint name");
@@ -228,6 +292,14 @@ CameraIntrinsics readCamera(const JsonCursor& place) {
   return camera;
 }
 
+void readCameras(const JsonCursor& place, Reading& reading) {
+  for (const auto& member : place.members()) {
+    if (!reading.refusals.attempt([&] { reading.set.cameras.emplace(member.first, readCamera(member.second)); })) {
+      reading.refusedCameras.insert(member.first);
+    }
+  }
+}
+
 Stance readStance(const JsonCursor& place) {
   Stance stance;
   stance.id = place.at("id").integer(std::numeric_limits<int>::min(), std::numeric_limits<int>::max());
@@ -238,15 +310,27 @@ Stance readStance(const JsonCursor& place) {
   return stance;
 }
 
-/// Reads a list of entries with distinct ids.
-template <typename Entry> std::vector<Entry> readList(const JsonCursor& place, Entry (*read)(const JsonCursor&)) {
+/// Reads a list of entries with distinct ids. Where refusals are collected, `refused` receives the ids of the refused.
+template <typename Entry, typename Id>
+std::vector<Entry> readList(const JsonCursor& place, Entry (*read)(const JsonCursor&), Refusals& refusals,
+                            std::set<Id>& refused) {
   std::vector<Entry> entries;
   for (const JsonCursor& element : place.elements()) {
-    Entry entry = read(element);
-    if (std::any_of(entries.begin(), entries.end(), [&](const Entry& other) { return other.id == entry.id; })) {
-      element.at("id").refuse("an id that no other entry of the list has");
+    const bool isRead = refusals.attempt([&] {
+      Entry entry = read(element);
+      if (std::any_of(entries.begin(), entries.end(), [&](const Entry& other) { return other.id == entry.id; })) {
+        element.at("id").refuse("an id that no other entry of the list has");
+      }
+      entries.push_back(std::move(entry));
+    });
+    if (!isRead && element.value().is_object() && element.value().contains("id")) {
+      const json& id = element.value()["id"];
+      if constexpr (std::is_same_v<Id, int>) {
+        refused.insert(id.is_number() ? id.template get<int>() : 0);
+      } else if (id.is_string()) {
+        refused.insert(id.template get<Id>());
+      }
     }
-    entries.push_back(std::move(entry));
   }
   return entries;
 }
@@ -264,56 +348,81 @@ JsonCursor nameCapture(const JsonCursor& place) {
 void requireSupportFootOfStance(const Capture& capture, const CaptureSet& set, const JsonCursor& place) {
   const auto stance = std::find_if(set.stances.begin(), set.stances.end(),
                                    [&](const Stance& candidate) { return candidate.id == capture.stance; });
-  if (stance->supportFoot != capture.supportFoot) {
+  if (stance != set.stances.end() && stance->supportFoot != capture.supportFoot) {
     place.at("supportFoot")
         .refuse(fmt::format("\"{}\", as stance {} has it",
                             supportFootWords[static_cast<std::size_t>(stance->supportFoot)], stance->id));
   }
 }
 
-void readCaptures(const JsonCursor& place, BadCapturePolicy bad, LoadedCaptureSet& read) {
+/// `skipped`: receives the sentence of each capture that is left out, with BadCapturePolicy::skip.
+void readCaptures(const JsonCursor& place, BadCapturePolicy bad, Reading& reading, std::vector<std::string>& skipped) {
   std::set<int> ids;
   for (const JsonCursor& entry : place.elements()) {
     Capture capture;
     try {
-      capture = readCapture(nameCapture(entry), read.set);
+      const bool isObject = reading.refusals.attempt([&] { nameCapture(entry); });
+      if (!isObject) {
+        continue;
+      }
+      const std::size_t before = reading.refusals.sentences().size();
+      capture = readCapture(nameCapture(entry), reading);
+      if (reading.refusals.sentences().size() > before) {
+        const auto id = entry.value().find("id");
+        if (id != entry.value().end() && id->is_number_integer() && !ids.insert(id->get<int>()).second) {
+          reading.refusals.attempt([&] { entry.at("id").refuse("an id that no other capture has"); });
+        }
+        continue; // collected
+      }
     } catch (const InputError& error) {
       if (bad == BadCapturePolicy::refuse || !entry.value().is_object()) {
         throw;
       }
-      read.skipped.emplace_back(error.what());
+      skipped.emplace_back(error.what());
       continue;
     }
-    requireSupportFootOfStance(capture, read.set, entry);
-    if (!ids.insert(capture.id).second) {
-      entry.at("id").refuse("an id that no other capture has");
-    }
-    capture.source = {read.set.source, &entry.value()};
-    read.set.captures.push_back(std::move(capture));
+    reading.refusals.attempt([&] { requireSupportFootOfStance(capture, reading.set, entry); });
+    reading.refusals.attempt([&] {
+      if (!ids.insert(capture.id).second) {
+        entry.at("id").refuse("an id that no other capture has");
+      }
+    });
+    capture.source = {reading.set.source, &entry.value()};
+    reading.set.captures.push_back(std::move(capture));
   }
+}
+
+void requireBoundedNumber(const JsonCursor& captures) {
+  if (captures.value().size() > mostCaptures) {
+    captures.refuse(fmt::format("at most {} captures in a set; split it into several", mostCaptures),
+                    fmt::format("{}", captures.value().size()));
+  }
+}
+
+/// Reads the whole set into `reading.set`, whose `source` is the document.
+void readSet(const JsonCursor& top, BadCapturePolicy bad, Reading& reading, std::vector<std::string>& skipped) {
+  CaptureSet& set = reading.set;
+  Refusals& refusals = reading.refusals;
+  requireFormat(top);
+  refusals.attempt([&] { readRobot(top.at("robot"), set); });
+  reading.knowsJoints = refusals.attempt([&] { set.jointNames = readJointNames(top.at("jointNames"), refusals); });
+  reading.knowsCameras = refusals.attempt([&] { readCameras(top.at("cameras"), reading); });
+  reading.knowsBoards =
+      refusals.attempt([&] { set.boards = readList(top.at("boards"), readBoard, refusals, reading.refusedBoards); });
+  if (reading.knowsBoards && set.boards.size() == top.at("boards").value().size()) {
+    refusals.attempt([&] { requireDistinctMarkers(set.boards, top.at("boards")); });
+  }
+  reading.knowsStances = refusals.attempt(
+      [&] { set.stances = readList(top.at("stances"), readStance, refusals, reading.refusedStances); });
+  refusals.attempt([&] {
+    requireBoundedNumber(top.at("captures"));
+    readCaptures(top.at("captures"), bad, reading, skipped);
+  });
 }
 
 using nlohmann::json;
 
 using Written = nlohmann::ordered_json;
-
-using Written = nlohmann::ordered_json;
-
-Written placementJson(const Placement& placement, bool onFloor, const json& read, bool zeros = true) {
-  Written known;
-  for (const PlacementKey& key : placementKeys) {
-    const double value = placement.*key.value;
-    const bool isWritten = (key.onFloor || !onFloor) && (zeros || value != 0);
-    known[key.key] = isWritten ? Written(value) : Written();
-  }
-  return mergeUnknownKeys(known, read);
-}
-
-Written sigmaJson(const Placement& sigma, bool onFloor, const json& read) {
-  const bool isNumber = sigma.x > 0 && sigma.x == sigma.y && (onFloor || sigma.x == sigma.z) && sigma.roll == 0 &&
-                        sigma.pitch == 0 && sigma.yaw == 0 && !read.is_object();
-  return isNumber ? Written(sigma.x) : placementJson(sigma, onFloor, read, false);
-}
 
 Written cameraJson(const CameraIntrinsics& camera, const json& read) {
   return mergeUnknownKeys({{"width", camera.width},
@@ -326,41 +435,12 @@ Written cameraJson(const CameraIntrinsics& camera, const json& read) {
                           read);
 }
 
-Written boardJson(const Board& board, const json& read) {
-  const bool onFloor = board.link == "floor";
-  Written known{{"id", board.id}, {"link", board.link}};
-  const CharucoPattern pattern = board.pattern.value_or(CharucoPattern{});
-  const auto ofPattern = [&](auto value) { return board.pattern ? Written(value) : Written(); };
-  known["dictionary"] = ofPattern(pattern.dictionary);
-  known["squaresX"] = ofPattern(pattern.squaresX);
-  known["squaresY"] = ofPattern(pattern.squaresY);
-  known["squareLength"] = ofPattern(pattern.squareLength);
-  known["markerLength"] = ofPattern(pattern.markerLength);
-  known["firstMarkerId"] = ofPattern(pattern.firstMarkerId);
-  known["legacyPattern"] = ofPattern(pattern.legacyPattern);
-  known["points"] = nullptr;
-  if (!board.pattern) {
-    for (const Eigen::Vector3d& point : board.points) {
-      known["points"].push_back({point.x(), point.y(), point.z()});
-    }
-  }
-  const auto placement = [&](const char* key, const std::optional<Placement>& given) {
-    known[key] = given ? placementJson(*given, onFloor, childOrNull(read, key)) : Written();
-  };
-  placement("placement", board.placement);
-  placement("placementGuess", board.hasGuess ? std::optional{board.placementGuess} : std::nullopt);
-  known["placementSigma"] =
-      board.placementSigma ? sigmaJson(*board.placementSigma, onFloor, childOrNull(read, "placementSigma")) : Written();
-  return mergeUnknownKeys(known, read);
-}
-
 Written stanceJson(const Stance& stance, const json& read) {
   const json& placement = childOrNull(read, "placement");
-  return mergeUnknownKeys(
-      {{"id", stance.id},
-       {"supportFoot", supportFootWords[static_cast<std::size_t>(stance.supportFoot)]},
-       {"placement", stance.placement ? placementJson(*stance.placement, true, placement) : Written()}},
-      read);
+  return mergeUnknownKeys({{"id", stance.id},
+                           {"supportFoot", supportFootWords[static_cast<std::size_t>(stance.supportFoot)]},
+                           {"placement", stance.placement ? toJson(*stance.placement, true, placement) : Written()}},
+                          read);
 }
 
 Written setJson(const CaptureSet& set, const json& read) {
@@ -369,7 +449,7 @@ Written setJson(const CaptureSet& set, const json& read) {
     cameras[name] = cameraJson(camera, childOrNull(childOrNull(read, "cameras"), name));
   }
   for (const Board& board : set.boards) {
-    boards.push_back(boardJson(board, entryOrNull("id", board.id, childOrNull(read, "boards"))));
+    boards.push_back(toJson(board, entryOrNull("id", board.id, childOrNull(read, "boards"))));
   }
   for (const Stance& stance : set.stances) {
     stances.push_back(stanceJson(stance, entryOrNull("id", stance.id, childOrNull(read, "stances"))));
@@ -460,26 +540,24 @@ Written captureJson(const Capture& capture, const json& read) {
 
 LoadedCaptureSet parseCaptureSet(const std::string& text, const std::string& name, BadCapturePolicy bad) {
   LoadedCaptureSet read;
-  CaptureSet& set = read.set;
-  set.name = name;
-  set.source = std::make_shared<const json>(parseJson(text, name));
-  const JsonCursor top{*set.source, name};
-  requireFormat(top);
-  readRobot(top.at("robot"), set);
-  set.jointNames = readJointNames(top.at("jointNames"));
-  for (const auto& [camera, place] : top.at("cameras").members()) {
-    set.cameras.emplace(camera, readCamera(place));
-  }
-  set.boards = readList(top.at("boards"), readBoard);
-  requireDistinctMarkers(set.boards, top.at("boards"));
-  set.stances = readList(top.at("stances"), readStance);
-  const JsonCursor captures = top.at("captures");
-  if (captures.value().size() > mostCaptures) {
-    captures.refuse(fmt::format("at most {} captures in a set; split it into several", mostCaptures),
-                    fmt::format("{}", captures.value().size()));
-  }
-  readCaptures(captures, bad, read);
+  read.set.name = name;
+  read.set.source = std::make_shared<const json>(parseJson(text, name));
+  Refusals refusals;
+  Reading reading{read.set, refusals};
+  readSet(JsonCursor{*read.set.source, name}, bad, reading, read.skipped);
   return read;
+}
+
+SurveyedCaptureSet surveyCaptureSet(const std::string& text, const std::string& name) {
+  SurveyedCaptureSet survey;
+  survey.set.name = name;
+  survey.set.source = std::make_shared<const json>(parseJson(text, name));
+  Refusals refusals{Refusals::Treatment::collect};
+  Reading reading{survey.set, refusals};
+  std::vector<std::string> skipped;
+  readSet(JsonCursor{*survey.set.source, name}.recordKeys(survey.asked), BadCapturePolicy::refuse, reading, skipped);
+  survey.refusals = refusals.sentences();
+  return survey;
 }
 
 LoadedCaptureSet readCaptureSet(const std::filesystem::path& folder, BadCapturePolicy bad) {

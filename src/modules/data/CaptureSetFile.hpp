@@ -1,6 +1,7 @@
 #pragma once
 
 #include "data/Capture.hpp"
+#include "io/JsonReader.hpp"
 
 #include <filesystem>
 #include <string>
@@ -27,6 +28,17 @@ LoadedCaptureSet readCaptureSet(const std::filesystem::path& folder, BadCaptureP
 /// Parses the set from text; `name` stands for the file in messages and names the set.
 LoadedCaptureSet parseCaptureSet(const std::string& text, const std::string& name,
                                  BadCapturePolicy bad = BadCapturePolicy::refuse);
+
+/// A capture set that was read to its end in spite of refusals.
+struct SurveyedCaptureSet {
+  CaptureSet set;                    // without the captures, boards, cameras and stances that were refused
+  std::vector<std::string> refusals; // one sentence per refused place, in reading order; the first is parseCaptureSet's
+  AskedKeys asked;                   // keys that the format knows, by object of `set.source`
+};
+
+/// Reads the set as parseCaptureSet does, and lists every refusal instead of throwing the first. Throws InputError if
+/// the text is no JSON, or another format.
+SurveyedCaptureSet surveyCaptureSet(const std::string& text, const std::string& name);
 
 /// Formats the set as JSON; preserves unknown keys that were read.
 std::string formatCaptureSet(const CaptureSet& set);

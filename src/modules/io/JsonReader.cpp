@@ -129,14 +129,21 @@ std::string quoteLiterals(std::string_view text) {
 } // namespace
 
 JsonCursor::JsonCursor(const json& value, std::string file)
-    : JsonCursor{value, "", std::make_shared<Surroundings>(Surroundings{std::move(file), "", ""})} {}
+    : JsonCursor{value, "", std::make_shared<Surroundings>(Surroundings{std::move(file), "", "", nullptr})} {}
 
 JsonCursor::JsonCursor(const json& value, std::string path, std::shared_ptr<const Surroundings> surroundings)
     : value_{&value}, path_{std::move(path)}, surroundings_{std::move(surroundings)} {}
 
 JsonCursor JsonCursor::describeAs(std::string name, std::string remedy) const {
   return {*value_, path_,
-          std::make_shared<Surroundings>(Surroundings{surroundings_->file, std::move(name), std::move(remedy)})};
+          std::make_shared<Surroundings>(
+              Surroundings{surroundings_->file, std::move(name), std::move(remedy), surroundings_->asked})};
+}
+
+JsonCursor JsonCursor::recordKeys(AskedKeys& asked) const {
+  Surroundings recording = *surroundings_;
+  recording.asked = &asked;
+  return {*value_, path_, std::make_shared<Surroundings>(std::move(recording))};
 }
 
 JsonCursor JsonCursor::member(const std::string& key, const json& value) const {
@@ -144,7 +151,7 @@ JsonCursor JsonCursor::member(const std::string& key, const json& value) const {
 }
 
 void JsonCursor::refuse(std::string_view expected, std::string_view found) const {
-  const auto& [file, name, remedy] = *surroundings_;
+  const auto& [file, name, remedy, asked] = *surroundings_;
   throw InputError{fmt::format("{}: {}{}: expected {}, found {}{}{}", file, path_.empty() ? "top level" : path_,
                                name.empty() ? "" : " (" + name + ")", expected,
                                found.empty() ? description(*value_) : found, remedy.empty() ? "" : "; ", remedy)};
@@ -158,6 +165,9 @@ void JsonCursor::requireObject() const {
 
 std::optional<JsonCursor> JsonCursor::find(const std::string& key) const {
   requireObject();
+  if (surroundings_->asked != nullptr) {
+    (*surroundings_->asked)[value_].insert(key);
+  }
   const auto entry = value_->find(key);
   if (entry == value_->end()) {
     return std::nullopt;
@@ -189,6 +199,9 @@ std::vector<std::pair<std::string, JsonCursor>> JsonCursor::members() const {
   requireObject();
   std::vector<std::pair<std::string, JsonCursor>> members;
   for (const auto& [key, value] : value_->items()) {
+    if (surroundings_->asked != nullptr) {
+      (*surroundings_->asked)[value_].insert(key);
+    }
     members.emplace_back(key, member(key, value));
   }
   return members;

@@ -2,9 +2,11 @@
 
 #include <cstddef>
 #include <limits>
+#include <map>
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -21,6 +23,9 @@ inline constexpr Range anyNumber{-1e15, 1e15, ""};
 inline constexpr std::size_t longestText = 10'000; // [bytes] of a name, an expression or a sentence
 inline constexpr int maxInteger = std::numeric_limits<int>::max();
 
+/// Keys that a reader asked for, by object of the document: what it never asks for, it ignores.
+using AskedKeys = std::map<const nlohmann::json*, std::set<std::string>>;
+
 /// A place in a JSON document with its path, for error messages (InputError) with file, path, expected and found. The
 /// document must outlive it.
 class JsonCursor {
@@ -30,6 +35,9 @@ public:
 
   /// The same place with a description beside its path ("capture 17") and a remedy for error messages.
   JsonCursor describeAs(std::string name, std::string remedy) const;
+
+  /// The same place; from here on, `asked` records the keys that are asked for. It must outlive the cursor.
+  JsonCursor recordKeys(AskedKeys& asked) const;
 
   /// The value under a key of this object. If there is none, `find` returns nothing and `at` throws.
   std::optional<JsonCursor> find(const std::string& key) const;
@@ -62,6 +70,7 @@ public:
 private:
   struct Surroundings {
     std::string file, name, remedy;
+    AskedKeys* asked = nullptr;
   };
 
   JsonCursor(const nlohmann::json& value, std::string path, std::shared_ptr<const Surroundings> surroundings);

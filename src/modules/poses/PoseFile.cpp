@@ -159,7 +159,7 @@ nlohmann::json poseListJson(const std::vector<ProposedPose>& poses, const std::v
     for (const VisibleBoard& sight : pose.sights) {
       boards.insert(sight.board);
     }
-    result.push_back({{"id", fmt::format("{}{:02}", "LRB"[static_cast<std::size_t>(pose.supportFoot)], i)},
+    result.push_back({{"id", poseId(poses[i], i)},
                       {"supportFoot", supportFootWords[static_cast<std::size_t>(pose.supportFoot)]},
                       {"joints", perJoint(robot, pose.angles, false)},
                       {"approach", perJoint(robot, poses[i].approach, true)},
@@ -230,6 +230,10 @@ PlayablePose poseFrom(const JsonCursor& place, const Robot& robot) {
 }
 
 } // namespace
+
+std::string poseId(const ProposedPose& pose, std::size_t index) {
+  return fmt::format("{}{:02}", "LRB"[static_cast<std::size_t>(pose.pose.supportFoot)], index);
+}
 
 Json planJson(const PosePlan& plan, const Robot& robot) {
   Json poses = poseListJson(plan.poses, secondsOf(plan), robot);

@@ -13,6 +13,9 @@
 
 namespace naocal {
 
+/// Id of the pose at a place of a plan: L00 on the left foot, R01, B02 on both.
+std::string poseId(const ProposedPose& pose, std::size_t index);
+
 /// POSES.json of a plan.
 nlohmann::json planJson(const PosePlan& plan, const Robot& robot);
 

@@ -60,7 +60,7 @@ Json listOf(const std::vector<Eigen::Vector2d>& pixels) {
 } // namespace
 
 /// State shared with the detection thread.
-struct LiveDetection::VisibleBoard {
+struct LiveDetection::SharedScene {
   std::mutex mutex;
   std::vector<Board> boards;
   FloorBoardTracker places{{}};
@@ -105,7 +105,7 @@ struct LiveDetection::VisibleBoard {
 
 LiveDetection::LiveDetection(std::string robot, MessageSink tell)
     : robot_{std::move(robot)}, tell_{std::move(tell)}, drawing_{loadRobot(configurationDirectory(), "V6")},
-      sight_{std::make_shared<VisibleBoard>()} {}
+      sight_{std::make_shared<SharedScene>()} {}
 
 LiveDetection::~LiveDetection() = default;
 

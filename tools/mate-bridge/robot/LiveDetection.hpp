@@ -37,7 +37,7 @@ public:
   void onOffsets(const nlohmann::json& offsets);        // of `offsetsMount`: [{"key", "value"}]
 
 private:
-  struct VisibleBoard;
+  struct SharedScene;
   void tellScene();
 
   std::string robot_;
@@ -49,7 +49,7 @@ private:
   std::map<std::uint64_t, Eigen::VectorXd> angles_; // recent joint angles by time [ms]
   std::chrono::steady_clock::time_point told_;
   std::map<std::string, std::chrono::steady_clock::time_point> looked_; // last detection, by camera
-  std::shared_ptr<VisibleBoard> sight_;                                 // shared with the thread
+  std::shared_ptr<SharedScene> sight_;                                 // shared with the thread
   Worker worker_{Worker::AtEnd::presentTask};                           // last: uses the members above
 };
 

@@ -19,6 +19,9 @@ void addReport(CLI::App& app);
 void addApply(CLI::App& app);
 void addExport(CLI::App& app);
 void addImport(CLI::App& app);
+void addBoard(CLI::App& app);
+void addCheck(CLI::App& app, int& exitCode);
+void addReplay(CLI::App& app, int& exitCode);
 void addDemo(CLI::App& app, int& exitCode);
 void addEvaluate(CLI::App& app);
 void addEvaluateNext(CLI::App& evaluate); // further subcommands of evaluate

@@ -2,16 +2,19 @@
 #include "console/CommandLine.hpp"
 #include "console/OutputFiles.hpp"
 #include "console/PrintPlan.hpp"
+#include "data/BoardListFile.hpp"
 #include "data/CaptureSetFile.hpp"
 #include "io/InputError.hpp"
 #include "math/Angles.hpp"
 #include "poses/PoseFile.hpp"
 #include "poses/PosePlan.hpp"
 #include "poses/criteria/PlanOptions.hpp"
+#include "print/FloorPlan.hpp"
 #include "simulation/SimulationPlan.hpp"
 
 #include <CLI/CLI.hpp>
 #include <cstdlib>
+#include <filesystem>
 #include <fmt/core.h>
 #include <fmt/format.h>
 #include <map>
@@ -30,21 +33,12 @@ PlanInputs defaultPlanInputs() {
   return {usual.boards, usual.cameras};
 }
 
-/// Boards and cameras of a capture set; guessed placements serve as starting values. Throws InputError if no board lies
-/// on the floor.
-PlanInputs readPlanInputs(const std::string& captureSet) {
-  const CaptureSet set = readCaptureSet(captureSet, BadCapturePolicy::skip).set;
-  PlanInputs result{{}, set.cameras};
-  for (Board board : set.boards) {
-    if (board.link == "floor") {
-      board.placement = board.placement || !board.hasGuess ? board.placement : board.placementGuess;
-      result.boards.push_back(board);
-    }
-  }
-  if (result.boards.empty()) {
-    throw InputError{fmt::format("{}: expected a board on the floor, found none", captureSet)};
-  }
-  return result;
+/// Boards on the floor of a boards file, with nominal cameras, or of a capture set, with its own; guessed placements
+/// serve as starting values. Throws InputError if no board lies on the floor.
+PlanInputs readPlanInputs(const std::string& place) {
+  const bool isSet = std::filesystem::is_directory(place);
+  return {readFloorBoards(place),
+          isSet ? readCaptureSet(place, BadCapturePolicy::skip).set.cameras : defaultPlanInputs().cameras};
 }
 
 /// Keeps the poses and board placements of an earlier plan. Throws InputError if the boards differ, or its poses are on
@@ -104,7 +98,7 @@ std::map<std::string, Criterion> criteria() {
 }
 
 struct PosesCommand {
-  std::string robot = "V6", output, poseFiles, boards, extend;
+  std::string robot = "V6", output, poseFiles, boards, extend, floor;
   double jointErrorDegrees = 6.5, sigmaDegrees = 0.2;
   std::vector<std::string> weights;
   PlanOptions plan;
@@ -129,6 +123,12 @@ struct PosesCommand {
     printPlan(result);
     writeJson(planJson(result, drawn), output);
     fmt::print("{} holds the poses and where the boards are\n", output);
+    if (!floor.empty()) {
+      PdfDocument pdf{floorPdfCreator, "Floor plan of naocal poses"};
+      addFloorPlan(pdf, result, drawn);
+      writePdf(floor, pdf.finish(), floorPdfCreator);
+      fmt::print("{} shows where to lay the boards, to print\n", floor);
+    }
     if (!poseFiles.empty()) {
       writePoseFiles(result, drawn, poseFiles);
       fmt::print("{} holds a .pose file for each\n", poseFiles);
@@ -149,6 +149,10 @@ void addPoses(CLI::App& app) {
       ->required()
       ->check(replaceableFile("naocal-poses"));
   poses->add_option("--pose-files", command->poseFiles, "a folder for HULKs' .pose files too");
+  poses
+      ->add_option("--floor", command->floor,
+                   "PLAN.pdf, to be written: the floor with boards, feet and distances, to print")
+      ->check(replaceablePdf(floorPdfCreator));
   poses->add_option("--robot", command->robot, "its model")->capture_default_str();
   poses->add_option("--support", plan.poses.supportFoot, "the foot to stand on: left, right or both")
       ->transform(CLI::CheckedTransformer(supportFeet, CLI::ignore_case));
@@ -184,10 +188,10 @@ void addPoses(CLI::App& app) {
       ->add_option("--extend", command->extend,
                    "POSES.json, the plan to extend: its poses and boards stay, --select more poses are added")
       ->excludes("--mirror");
-  poses->add_option(
-      "--boards", command->boards,
-      "capture set with the boards and cameras to plan for (placements in the frame of the support sole); default: "
-      "four A2 boards");
+  poses->add_option("--boards", command->boards,
+                    "boards file, or capture set, with the boards (of a set also the cameras) to plan for, placements "
+                    "in the frame of "
+                    "the support sole; default: four A2 boards");
   poses->add_flag("--whole-boards", plan.poses.sight.wholeBoards,
                   "a board counts only where it is wholly in the picture");
   poses

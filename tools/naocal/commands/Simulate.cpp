@@ -2,6 +2,7 @@
 #include "console/CommandLine.hpp"
 #include "console/OutputFiles.hpp"
 #include "console/Progress.hpp"
+#include "data/BoardListFile.hpp"
 #include "data/CaptureSetFile.hpp"
 #include "io/Files.hpp"
 #include "io/InputError.hpp"
@@ -27,7 +28,7 @@ namespace {
 
 /// Options of `naocal simulate`, in degrees and millimetres.
 struct SimulateOptions {
-  std::string output, robot = "V6", support = "left", repeatKind = "rest", size = "640x480", json;
+  std::string output, robot = "V6", support = "left", repeatKind = "rest", size = "640x480", json, boards;
   std::string poses = "24"; // number of poses, or a pose file
   std::uint64_t seed = 1;
   double offsetDegrees = 6.5, mountDegrees = 2, mountMillimetres = 0, poseDegrees = 0, approachDegrees = 0;
@@ -68,6 +69,20 @@ void addPoses(const SimulateOptions& options, const Robot& robot, SimulationPlan
   for (PlayablePose& pose : file.poses) {
     plan.poses.push_back({std::move(pose.id), pose.supportFoot, std::move(pose.angles), std::move(pose.approach)});
   }
+}
+
+/// ChArUco boards of a boards file or a capture set, about where it says they lie. Throws InputError for a board
+/// without pattern or placement.
+std::vector<Board> simulatedBoards(const std::string& place) {
+  std::vector<Board> boards = readFloorBoards(place);
+  for (const Board& board : boards) {
+    if (!board.pattern || !board.placement) {
+      throw InputError{fmt::format("{}: board {}: expected a ChArUco board with its placement or placementGuess, to be "
+                                   "simulated, found none",
+                                   place, board.id)};
+    }
+  }
+  return boards;
 }
 
 void addNoise(CLI::App& simulator, SimulateOptions& options) {
@@ -130,6 +145,8 @@ void addOptions(CLI::App& simulator, SimulateOptions& options) {
   simulator.add_option("--samples", options.plan.samples, "captures of each camera per pose")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
+  simulator.add_option("--boards", options.boards,
+                       "boards file, or capture set, with the boards on the floor; default: four A2 boards");
   simulator.add_option("--repeat-kind", options.repeatKind, "what happens between the samples of a pose")
       ->check(CLI::IsMember(kinds))
       ->capture_default_str();
@@ -171,6 +188,9 @@ SimulationPlan makePlan(const SimulateOptions& options, const Robot& robot) {
   plan.mechanics.approachScatter = radians(options.approachDegrees);
   plan.corners.displacedBoard = options.displacedBoard ? 0.03 : 0;
   plan.cameras = cameras(options.size);
+  if (!options.boards.empty()) {
+    plan.boards = simulatedBoards(options.boards);
+  }
   addPoses(options, robot, plan);
   return plan;
 }

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <filesystem>
+#include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace naocal {
@@ -15,5 +18,13 @@ struct ProcessResult {
 
 /// Runs a program and waits for its end; the first word is its path. Throws InputError if it cannot be started.
 ProcessResult runProcess(const std::vector<std::string>& command);
+
+/// The same while its standard error is read: calls `said` with every line of it, and `waiting` ten times a second.
+/// Standard output is this program's.
+ProcessResult followProcess(const std::vector<std::string>& command, const std::function<void(std::string_view)>& said,
+                            const std::function<void()>& waiting);
+
+/// Another of naocal's programs: beside this one, or in the build folder. Throws InputError if it is not there.
+std::filesystem::path findProgram(const std::string& name);
 
 } // namespace naocal
