@@ -1,9 +1,28 @@
 #include "brain/ReplayedCalibration.hpp"
 
+#include "hardware/Joints.hpp"
+
+#include <cmath>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 namespace naocal {
+namespace {
+
+/// The robot's readings in the order of the recording's joints; what it did not record stays unrecorded.
+std::vector<double> inRecordedOrder(const std::vector<double>& readings, const std::vector<double>& recorded,
+                                    const std::vector<std::string>& joints) {
+  std::vector<double> result = recorded;
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    const auto joint = jointIndex(joints[i]);
+    if (joint && *joint < readings.size() && !std::isnan(result[i])) {
+      result[i] = readings[*joint];
+    }
+  }
+  return result;
+}
+
+} // namespace
 
 ReplayedCalibration::ReplayedCalibration(const Robot& drawing, const ReplayWorld& world, std::filesystem::path folder,
                                          ModelFile model)
@@ -23,11 +42,12 @@ void ReplayedCalibration::cycle() {
   const Capture& still = picture_->capture;
   capture.source = nullptr;
   capture.time = still.time;
-  capture.joints.measured = still.joints.measured;
-  capture.joints.temperature = still.joints.temperature;
-  capture.joints.current = still.joints.current;
-  capture.imu = still.imu;
-  capture.fsr = still.fsr;
+  const std::vector<std::string>& joints = world_.set().jointNames;
+  for (auto values : {&JointReadings::measured, &JointReadings::temperature, &JointReadings::current}) {
+    capture.joints.*values = inRecordedOrder(still.joints.*values, recorded->joints.*values, joints);
+  }
+  capture.imu = recorded->imu ? still.imu : std::nullopt;
+  capture.fsr = recorded->fsr ? still.fsr : std::nullopt;
   worker_.enqueue([this, capture = std::move(capture), frame = picture_->frame] {
     try {
       session_->record(capture, frame);

@@ -326,8 +326,10 @@ CaptureSetCheck checkCaptureSet(const std::filesystem::path& folder, const Check
   addPictures(check, progress);
   addCornersOutside(check);
   addTimeOrder(check);
-  addCounts(check, poses.size());
-  addUnseenBoards(check);
+  if (check.survey.refusals.empty()) { // captures that cannot be read are not missing
+    addCounts(check, poses.size());
+    addUnseenBoards(check);
+  }
   addUnknownKeys(check);
   std::stable_sort(check.problems.begin(), check.problems.end(),
                    [](const SetProblem& one, const SetProblem& other) { return one.severity < other.severity; });

@@ -359,8 +359,8 @@ void writeTitle(PdfDocument& pdf, const PosePlan& plan, const Robot& robot) {
 void writeLegend(PdfDocument& pdf, double y) {
   pdf.write(
       {margin, y},
-      "First corner: filled dot, the pattern's upper left corner. Second: open circle, the upper right one. Two tapes "
-      "from the foot (\"from foot\") find both without angles.",
+      "First corner: filled dot, the pattern's upper left corner. Second: open circle, the upper right one. From foot: "
+      "the straight distance, to check with a tape.",
       {.size = 2.6, .colour = soft});
 }
 

@@ -79,6 +79,12 @@ std::size_t recordedPictures(const files::path& into) {
   return count;
 }
 
+/// The sentence without the program's name before it.
+std::string reasonIn(const std::string& line) {
+  const std::string prefix = "naocal-robot: ";
+  return line.starts_with(prefix) ? line.substr(prefix.size()) : line;
+}
+
 /// Runs the robot process over the recording; returns the folder with its captures and its result. Throws InputError
 /// if it refuses the recording.
 files::path ReplayCommand::follow(const files::path& into, std::vector<std::string>& said) const {
@@ -100,7 +106,7 @@ files::path ReplayCommand::follow(const files::path& into, std::vector<std::stri
   const ProcessResult ended = followProcess(robotCommand(into), say, waiting);
   if (ended.exitCode == 2) {
     throw InputError{
-        fmt::format("{}: cannot be replayed: {}", recording, said.empty() ? "no reason given" : said.back())};
+        fmt::format("{}: cannot be replayed: {}", recording, said.empty() ? "no reason given" : reasonIn(said.back()))};
   }
   if (ended.exitCode != 0) {
     throw std::runtime_error{fmt::format("naocal-robot ended with {}", ended.said.empty() ? "an error" : ended.said)};
