@@ -51,7 +51,7 @@ ImageObservation standingPicture(const Measurements& measurements, const Model& 
     const Term& offset = model.terms()[index];
     for (std::size_t joint = 0; joint < measurements.robot.joints.size(); ++joint) {
       instant.q[eigenIndex(joint)] +=
-          measurements.robot.joints[joint].motor == offset.site ? unknowns[eigenIndex(offset.first)] : 0;
+          measurements.robot.joints[joint].motor == offset.placeIndex ? unknowns[eigenIndex(offset.first)] : 0;
     }
   }
   picture.nominal.values.head(joints) = instant.q;
@@ -84,9 +84,9 @@ std::vector<JointCompensation> jointCompensations(const Measurements& measuremen
   std::vector<JointCompensation> all;
   for (const std::size_t index : model.offsets()) {
     const Term& term = model.terms()[index];
-    JointCompensation one{.joint = term.place, .offset = unknowns[eigenIndex(term.first)]};
+    JointCompensation one{.joint = term.placeName, .offset = unknowns[eigenIndex(term.first)]};
     const auto deltaOf = [&](const ImageObservation& picture, const ModelState& state) {
-      return state.angle(term.site) - picture.nominal.angle(term.site) + one.offset;
+      return state.angle(term.placeIndex) - picture.nominal.angle(term.placeIndex) + one.offset;
     };
     one.delta = deltaOf(stand, atStand);
     Eigen::VectorXd deltas(eigenIndex(states.size()));

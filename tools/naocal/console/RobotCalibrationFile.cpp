@@ -42,7 +42,8 @@ bool bendsJoints(const std::string& term) {
   }
   for (const Effect& effect : allEffects()) {
     if (effect.name == effectOf(term)) {
-      return effect.place == EffectSite::motor || effect.place == EffectSite::joint || effect.place == EffectSite::all;
+      return effect.placeKind == PlaceKind::motor || effect.placeKind == PlaceKind::joint ||
+             effect.placeKind == PlaceKind::all;
     }
   }
   return true; // an own effect
