@@ -14,14 +14,6 @@ namespace naocal {
 
 namespace {
 
-/// A result's estimates transferred to unseen captures.
-struct Prediction {
-  Model model; // the result's terms that apply to these captures, and the placements
-  Eigen::VectorXd unknowns;
-  std::vector<bool> free;           // true for floor placements, unless `samePlace`
-  std::vector<std::string> ignored; // terms of the result that do not apply to these captures
-};
-
 /// Minimum cost over the free unknowns, from `start`. Throws InputError if the captures cannot be predicted at all.
 FitMinimum predict(Residuals& residuals, const Prediction& prediction, const Residuals::State& start) {
   residuals.setFree(prediction.free);
@@ -124,15 +116,6 @@ Prediction preparePrediction(const Model& model, const StoredResult& result, con
   return all;
 }
 
-/// Builds the model too.
-Prediction preparePrediction(const StoredResult& result, const Measurements& measurements, bool samePlace) {
-  std::vector<std::string> ignored;
-  Prediction prediction =
-      preparePrediction(modelFromResult(result, measurements, ignored), result, measurements, samePlace);
-  prediction.ignored = std::move(ignored);
-  return prediction;
-}
-
 } // namespace
 
 Comparison compare(const StoredResult& result, const std::vector<CaptureSet>& sets, const Robot& robot,
@@ -204,6 +187,14 @@ nlohmann::json comparisonJson(const Comparison& comparison) {
   result["byPose"] = many(comparison.byPose);
   result["ignored"] = comparison.ignored;
   return result;
+}
+
+Prediction preparePrediction(const StoredResult& result, const Measurements& measurements, bool samePlace) {
+  std::vector<std::string> ignored;
+  Prediction prediction =
+      preparePrediction(modelFromResult(result, measurements, ignored), result, measurements, samePlace);
+  prediction.ignored = std::move(ignored);
+  return prediction;
 }
 
 } // namespace naocal

@@ -2,6 +2,7 @@
 
 #include "calibration/ResultFile.hpp"
 
+#include <Eigen/Core>
 #include <map>
 #include <string>
 #include <vector>
@@ -29,5 +30,15 @@ double weightedError(const StoredResult& result, const std::vector<CaptureSet>& 
 
 /// COMPARISON.json (`naocal-compare`): errors [px] with the result and with the nominal model.
 nlohmann::json comparisonJson(const Comparison& comparison);
+
+/// A result's estimates transferred to unseen captures.
+struct Prediction {
+  Model model; // the result's terms that apply to these captures, and the placements
+  Eigen::VectorXd unknowns;
+  std::vector<bool> free;           // true for floor placements, unless `samePlace`
+  std::vector<std::string> ignored; // terms of the result that do not apply to these captures
+};
+/// Builds the model for the new captures and takes the unknowns from the result.
+Prediction preparePrediction(const StoredResult& result, const Measurements& measurements, bool samePlace);
 
 } // namespace naocal

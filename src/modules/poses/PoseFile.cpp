@@ -3,6 +3,7 @@
 #include "data/BoardFile.hpp"
 #include "data/CaptureSetFile.hpp"
 #include "io/Files.hpp"
+#include "io/InputError.hpp"
 #include "io/JsonReader.hpp"
 #include "measurements/Noise.hpp"
 #include "poses/candidates/SupportLegs.hpp"
@@ -18,6 +19,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <set>
+#include <sstream>
 #include <string_view>
 
 namespace naocal {
@@ -283,6 +285,27 @@ void writePoseFiles(const PosePlan& plan, const Robot& robot, const std::filesys
     text.back() = '\n';
     writeAtomically(folder / (poses[i].at("id").get<std::string>() + ".pose"), text);
   }
+}
+
+Eigen::VectorXd readAnglesFile(const std::filesystem::path& file, const Robot& robot) {
+  std::istringstream text{readFile(file)};
+  std::vector<double> numbers;
+  for (double number = 0; text >> number;) {
+    numbers.push_back(number);
+  }
+  const std::size_t wanted = robot.joints.size() + fingers.size();
+  if (!text.eof() || numbers.size() != wanted) {
+    throw InputError{fmt::format("{}: expected {} angles in radians and nothing else, found {} before the end or "
+                                 "something that is no number",
+                                 file.string(), wanted, numbers.size())};
+  }
+  Eigen::VectorXd angles(static_cast<Eigen::Index>(robot.joints.size()));
+  std::size_t next = 0;
+  for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
+    angles[static_cast<Eigen::Index>(joint)] = numbers[next];
+    next += hasFingers(robot.joints[joint]) ? 2 : 1;
+  }
+  return angles;
 }
 
 Json nextPosesJson(const NextPoses& next, const Robot& robot) {

@@ -23,6 +23,9 @@ nlohmann::json planJson(const PosePlan& plan, const Robot& robot);
 /// after its wrist.
 void writePoseFiles(const PosePlan& plan, const Robot& robot, const std::filesystem::path& folder);
 
+/// Reads a .pose file: angles per joint of the drawing [rad]. Throws InputError unless it holds 26 angles.
+Eigen::VectorXd readAnglesFile(const std::filesystem::path& file, const Robot& robot);
+
 /// A pose read from a file.
 struct PlayablePose {
   std::string id;

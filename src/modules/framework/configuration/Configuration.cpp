@@ -148,6 +148,11 @@ std::filesystem::path Configuration::target(const Mounted& entry) const {
   return layers[perLocation - 1];
 }
 
+std::filesystem::path Configuration::saveTarget(std::string_view mount) const {
+  const std::lock_guard lock{mutex_};
+  return target(mounted(mount));
+}
+
 std::filesystem::path Configuration::journal() const {
   return folders_.saved / "location" / journalName;
 }

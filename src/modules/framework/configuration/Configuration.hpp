@@ -48,7 +48,7 @@ public:
   /// stays unchanged.
   void set(std::string_view mount, std::string_view path, const nlohmann::json& value);
 
-  /// Writes all changes since the last save into the robot's own files (`target`) and keeps their other keys; the
+  /// Writes all changes since the last save into the robot's own files (`saveTarget`) and keeps their other keys; the
   /// previous version of each file is kept as `<file>.previous`. Files whose content would not change are not written,
   /// so that undo reverts the last effective save. Atomic: after a crash all files are old or all are new.
   void save();
@@ -69,12 +69,14 @@ public:
   /// ConfigurationError if nothing was saved since the last undo.
   void undo(const std::string& mount);
 
+  /// Save target of a mount: the robot's own file of the default location, which applies at every location; its file of
+  /// the current location if that location already sets keys of this mount.
+  std::filesystem::path saveTarget(std::string_view mount) const;
+
 private:
   struct Mounted;
   Mounted& mounted(std::string_view mount);
   const Mounted& mounted(std::string_view mount) const;
-  /// Save target of a mount: the robot's own file of the default location, which applies at every location; its file of
-  /// the current location if that location already sets keys of this mount.
   std::filesystem::path target(const Mounted& mounted) const;
   std::filesystem::path journal() const;
   nlohmann::json toSave(const Mounted& mounted) const; // content of the saved file
