@@ -1,11 +1,13 @@
 #include "inference/Evidence.hpp"
 
+#include "inference/NoiseLevels.hpp"
 #include "inference/Thresholds.hpp"
 #include "math/LinearAlgebra.hpp"
 #include "math/Statistics.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <numeric>
 #include <optional>
@@ -131,16 +133,49 @@ bool anyMatters(const ScoredProblem& scored, const std::vector<GroupEvidence>& g
   return false;
 }
 
-/// `smallestP` of `draws` sets of pure noise, in ascending order: parametric bootstrap.
+/// Sets of pure noise and their outcomes under the model without candidates.
+struct DrawnSets {
+  PoseResiduals residuals;
+  NullModel::Outcome outcome;
+};
+
+/// Whether each set estimates the pose noise at its boundary, zero (`isPoseNoiseAtBoundary`). Pure noise puts the scale
+/// kappa of candidates at zero, so the deviance is that of the model without them.
+Eigen::Array<bool, 1, Eigen::Dynamic> findBoundarySets(const NullModel& alone, const DrawnSets& drawn) {
+  const ScoreProblem& problem = alone.problem();
+  Noise least = alone.noise();
+  least.pose = leastScatter;
+  const Eigen::RowVectorXd scattered =
+      NullModel{problem, least}(drawn.residuals, Eigen::VectorXd::Zero(problem.ownCount())).deviance;
+  return drawn.outcome.deviance.array() <= scattered.array() + poseNoisePenalty(leastScatter);
+}
+
+/// Indices of the sets that the data are compared with (`computeEvidence`).
+std::vector<Eigen::Index> selectComparable(const NullModel& alone, const DrawnSets& drawn) {
+  constexpr std::size_t fewest = 20; // for a critical value at 5 %
+  std::vector<Eigen::Index> all(static_cast<std::size_t>(drawn.outcome.deviance.size()));
+  std::iota(all.begin(), all.end(), Eigen::Index{0});
+  if (alone.noise().pose > 0) {
+    return all;
+  }
+  const bool atBoundary = isPoseNoiseAtBoundary(alone.problem(), alone.noise());
+  const auto areAtBoundary = findBoundarySets(alone, drawn);
+  std::vector<Eigen::Index> alike;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(alike),
+               [&](Eigen::Index i) { return areAtBoundary[i] == atBoundary; });
+  return alike.size() < fewest ? all : alike;
+}
+
+/// `smallestP` of the sets of pure noise that the data are compared with, in ascending order: parametric bootstrap.
 std::vector<double> drawSmallestP(const NullModel& alone, const ScoreTest& tests, Eigen::Index draws,
                                   std::uint64_t seed) {
   const ScoreProblem& problem = alone.problem();
-  const PoseResiduals noiseOnly = drawResiduals(*problem.poses, alone.noise(), draws, seed);
-  const Eigen::MatrixXd drawn =
-      tests.chi2Decreases(noiseOnly, alone(noiseOnly, Eigen::VectorXd::Zero(problem.ownCount())).own);
+  DrawnSets drawn{drawResiduals(*problem.poses, alone.noise(), draws, seed), {}};
+  drawn.outcome = alone(drawn.residuals, Eigen::VectorXd::Zero(problem.ownCount()));
+  const Eigen::MatrixXd falls = tests.chi2Decreases(drawn.residuals, drawn.outcome.own);
   std::vector<double> smallest;
-  for (Eigen::Index i = 0; i < draws; ++i) {
-    smallest.push_back(smallestP(problem, tests, drawn.col(i)));
+  for (const Eigen::Index i : selectComparable(alone, drawn)) {
+    smallest.push_back(smallestP(problem, tests, falls.col(i)));
   }
   std::sort(smallest.begin(), smallest.end());
   return smallest;
@@ -187,7 +222,7 @@ Evidence computeEvidence(const ScoreProblem& problem, const Noise& noise, Eigen:
   const std::vector<double> smallest = drawSmallestP(alone, tests, draws, seed);
   const double seen = smallestP(problem, tests, ratio);
   const auto as = std::upper_bound(smallest.begin(), smallest.end(), seen) - smallest.begin();
-  result.pValue = (1 + static_cast<double>(as)) / (1 + static_cast<double>(draws));
+  result.pValue = (1 + static_cast<double>(as)) / (1 + static_cast<double>(smallest.size()));
   if (as == 0) { // more extreme than every draw
     result.pValue = std::min(result.pValue, boundChance(problem, seen));
   }

@@ -27,6 +27,24 @@ namespace {
 constexpr double usualScatter = radians(0.02);
 constexpr double unbound = 0.05; // [rad]: pose noise that leaves every joint practically unconstrained
 
+/// The problem without curves. Keeps a reference to its poses.
+class EffectsOnly {
+public:
+  explicit EffectsOnly(const ScoreProblem& wide)
+      : none_{.blocks = std::vector<std::vector<DriverColumns::Block>>(wide.poses->size())}, problem_{wide} {
+    problem_.groups.resize(problem_.named);
+    problem_.map = &none_;
+  }
+  EffectsOnly(const EffectsOnly&) = delete; // problem_ points into this object
+  EffectsOnly& operator=(const EffectsOnly&) = delete;
+
+  const ScoreProblem& problem() const { return problem_; }
+
+private:
+  DriverColumns none_;
+  ScoreProblem problem_;
+};
+
 /// Score and information of the candidate effects, in units of `plausible`.
 struct Candidates {
   Eigen::VectorXd score;
@@ -141,10 +159,8 @@ double poseNoisePenalty(double level) {
 }
 
 NoiseLevels estimateNoiseLevels(const ScoreProblem& wide, const Noise& noise, const RepeatInfo& repeated) {
-  const DriverColumns none{.blocks = std::vector<std::vector<DriverColumns::Block>>(wide.poses->size())};
-  ScoreProblem problem = wide;
-  problem.groups.resize(problem.named);
-  problem.map = &none;
+  const EffectsOnly effects{wide};
+  const ScoreProblem& problem = effects.problem();
   NoiseLevels result{noise, {}};
   result.noise.reapproach = result.noise.stance = 0;
   Noise within = result.noise; // uses only differences within poses
@@ -169,6 +185,15 @@ NoiseLevels estimateNoiseLevels(const ScoreProblem& wide, const Noise& noise, co
   }
   result.scatter = curve.deviances.front() - curve.deviances[curve.lowest()];
   return result;
+}
+
+bool isPoseNoiseAtBoundary(const ScoreProblem& wide, const Noise& noise) {
+  const EffectsOnly effects{wide};
+  Noise none = noise, least = noise;
+  none.pose = 0;
+  least.pose = leastScatter;
+  return wideDeviance(effects.problem(), none) <=
+         wideDeviance(effects.problem(), least) + poseNoisePenalty(leastScatter);
 }
 
 } // namespace naocal

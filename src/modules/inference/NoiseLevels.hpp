@@ -38,6 +38,9 @@ constexpr double suspectScatter = 0.8 * mostScatter;
 /// determine the level (Gelman, Bayesian Analysis 1 (2006) 515).
 double poseNoisePenalty(double level);
 
+/// Smallest pose noise above zero [rad] at which D is evaluated.
+constexpr double leastScatter = 0.003 * 3.14159265358979323846 / 180;
+
 /// Estimates re-approach, stance and pose noise by restricted likelihood (REML: Patterson and Thompson, Biometrika 58
 /// (1971) 545) under the widest model: all candidate effects enter as random effects gamma ~ N(0, kappa^2) in units of
 /// `plausible`. Without the candidates, scatter is the only explanation of any misfit, and every missing effect
@@ -52,5 +55,9 @@ double poseNoisePenalty(double level);
 /// `noise` gives the pixel and encoder levels, which stay fixed. Curves of the problem are excluded, since they would
 /// fit scatter.
 NoiseLevels estimateNoiseLevels(const ScoreProblem& wide, const Noise& noise, const RepeatInfo& repeated);
+
+/// Whether the data estimate the pose noise at its boundary, zero: D(0) <= D(leastScatter), the penalty included.
+/// `noise`: the other levels.
+bool isPoseNoiseAtBoundary(const ScoreProblem& wide, const Noise& noise);
 
 } // namespace naocal
