@@ -55,8 +55,8 @@ double computeBayesFactor(const Eigen::MatrixXd& information, const Eigen::Vecto
 /// estimate at the boundary of its range is the mixture of a point mass and a continuous part (Self and Liang, JASA 82
 /// (1987) 605), and a bootstrap at the estimated level does not reproduce it (Andrews, Econometrica 68 (2000) 399):
 /// data with more misfit than usual get a level above zero, so those at zero have less than unconditional draws, and
-/// their p-values would be too large. Above zero, draws are unconditional; the prior on the level shrinks it, and
-/// p-values near the boundary are a little small. With fewer than 20 draws left, all are compared.
+/// their p-values would be too large. Above zero, draws are unconditional, and p-values near the boundary are a little
+/// small. With fewer than 20 draws left, all are compared.
 Evidence computeEvidence(const ScoreProblem& problem, const Noise& noise, Eigen::Index draws = 0,
                          std::uint64_t seed = 1);
 
