@@ -37,9 +37,8 @@ bool readCamera(const JsonCursor& all, const std::string& name, RobotCalibration
 std::vector<DialectFile> writeHulks(const RobotCalibration& calibration, const Robot&) {
   Json joints = Json::object(), cameras = Json::object();
   for (const std::string_view joint : jointNames) {
-    const auto found = calibration.offsets.find(joint == "RHipYawPitch" ? "LHipYawPitch" : std::string{joint});
-    if (found != calibration.offsets.end()) {
-      joints[offsetKey(joint)] = roundDecimal(degrees(found->second), decimals::degree);
+    if (const auto offset = findOffset(calibration, joint)) {
+      joints[offsetKey(joint)] = roundDecimal(degrees(*offset), decimals::degree);
     }
   }
   for (const char* const name : {"top", "bottom"}) {

@@ -110,10 +110,9 @@ std::string fileName(std::string_view part, const std::string& id) {
 std::vector<DialectFile> writeHulksTree(const RobotCalibration& calibration, const Robot&) {
   Json offsets = Json::object(), cameras = Json::object();
   for (const std::string_view joint : jointNames) {
-    const auto found = calibration.offsets.find(joint == "RHipYawPitch" ? "LHipYawPitch" : std::string{joint});
-    if (found != calibration.offsets.end()) {
+    if (const auto offset = findOffset(calibration, joint)) {
       const auto [limb, key] = placeOf(joint);
-      offsets[limb][key] = roundDecimal(found->second, decimals::radian);
+      offsets[limb][key] = roundDecimal(*offset, decimals::radian);
     }
   }
   for (const char* const name : {"top", "bottom"}) {

@@ -209,8 +209,7 @@ ParsedCalibration parseMapCalibration(std::string_view text, const std::string& 
 }
 
 std::string mapOffset(const RobotCalibration& calibration, std::string_view joint) {
-  const auto found = calibration.offsets.find(joint == "RHipYawPitch" ? "LHipYawPitch" : std::string{joint});
-  return degreesText(found == calibration.offsets.end() ? 0 : found->second);
+  return degreesText(findOffset(calibration, joint).value_or(0));
 }
 
 std::string jointsWithLimits(const RobotCalibration& calibration, const Robot& robot, std::string_view indent,

@@ -68,6 +68,11 @@ std::vector<std::string_view> offsetJoints() {
   return names;
 }
 
+std::optional<double> findOffset(const RobotCalibration& calibration, std::string_view joint) {
+  const auto found = calibration.offsets.find(joint == "RHipYawPitch" ? "LHipYawPitch" : std::string{joint});
+  return found == calibration.offsets.end() ? std::nullopt : std::optional{found->second};
+}
+
 void addOffset(const std::string& joint, double offset, ParsedCalibration& parsed) {
   constexpr double rounding = 1e-8; // [rad], of the digits in files
   auto& offsets = parsed.calibration.offsets;

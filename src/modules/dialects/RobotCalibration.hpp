@@ -31,6 +31,9 @@ struct RobotCalibration {
 /// right hip yaw-pitch, which the left one's motor drives.
 std::vector<std::string_view> offsetJoints();
 
+/// Offset of a joint, by HULKs' name [rad]; that of the right hip yaw-pitch is the left one's. Absent if unknown.
+std::optional<double> findOffset(const RobotCalibration& calibration, std::string_view joint);
+
 /// A calibration read from a dialect's file, and sentences on what of the file it does not hold.
 struct ParsedCalibration {
   RobotCalibration calibration;
