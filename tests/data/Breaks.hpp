@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -16,6 +18,18 @@ struct Break {
 };
 
 inline const std::string removed;
+
+/// Modifies the good set's document.
+inline void applyBreak(const Break& how, nlohmann::json& document) {
+  const nlohmann::json::json_pointer place{how.place};
+  if (how.value.empty()) {
+    document.at(place.parent_pointer()).erase(place.back());
+  } else {
+    std::string value = how.value;
+    std::replace(value.begin(), value.end(), '\'', '"');
+    document[place] = nlohmann::json::parse(value);
+  }
+}
 
 inline std::vector<Break> breaks() {
   using enum Breaks;

@@ -16,14 +16,7 @@ using nlohmann::json;
 
 json broken(const Break& how) {
   json document = goodSet();
-  const json::json_pointer place{how.place};
-  if (how.value.empty()) {
-    document.at(place.parent_pointer()).erase(place.back());
-  } else {
-    std::string value = how.value;
-    std::replace(value.begin(), value.end(), '\'', '"');
-    document[place] = json::parse(value);
-  }
+  applyBreak(how, document);
   return document;
 }
 

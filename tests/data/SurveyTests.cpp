@@ -13,17 +13,6 @@ namespace {
 
 using nlohmann::json;
 
-void breakIt(json& document, const Break& how) {
-  const json::json_pointer place{how.place};
-  if (how.value.empty()) {
-    document.at(place.parent_pointer()).erase(place.back());
-  } else {
-    std::string value = how.value;
-    std::replace(value.begin(), value.end(), '\'', '"');
-    document[place] = json::parse(value);
-  }
-}
-
 bool isHeader(const Break& how) {
   return how.place == "/format" || how.place == "/version";
 }
@@ -38,7 +27,7 @@ TEST_CASE("a survey lists first the very sentence that refuses the set") {
       continue; // another format: nothing to survey
     }
     json document = goodSet();
-    breakIt(document, how);
+    applyBreak(how, document);
     INFO(how.place << " = " << how.value);
     const auto refusals = surveyCaptureSet(document.dump(), "some/captures.json").refusals;
     REQUIRE_FALSE(refusals.empty());

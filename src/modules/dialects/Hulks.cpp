@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr Range offsetRange{-180, 180, "degrees"}, shareRange{0.01, 100, "of the picture"};
+constexpr Range offsetRange{-180, 180, "degrees"};
 
 /// Rotation and lens of one camera, where the file has them. True if it has.
 bool readCamera(const JsonCursor& all, const std::string& name, RobotCalibration& calibration) {
@@ -26,8 +26,7 @@ bool readCamera(const JsonCursor& all, const std::string& name, RobotCalibration
     camera.rotation = Eigen::Vector3d{rotation->numbers(3, {-3.2, 3.2, "rad"}, "roll, pitch, yaw").data()};
   }
   if (focal || centre) {
-    camera.lens = lensFromShares(all.at(name + "_fc").numbers(2, shareRange, "of width and height"),
-                                 all.at(name + "_cc").numbers(2, shareRange, "of width and height"));
+    camera.lens = readLensShares(all.at(name + "_fc"), all.at(name + "_cc"));
   }
   return true;
 }

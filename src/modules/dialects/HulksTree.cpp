@@ -79,14 +79,12 @@ void readOffsets(const JsonCursor& at, ParsedCalibration& parsed) {
 }
 
 void readCamera(const JsonCursor& at, CameraCalibration& camera) {
-  constexpr Range share{0.01, 100, "of the picture"};
   if (const auto angles = at.find("extrinsic_rotations")) {
     const Eigen::Vector3d tree{angles->numbers(3, {-180, 180, "degrees"}, "about the optical axes").data()};
     camera.rotation = ourAngles(tree * radians(1.0));
   }
   if (at.find("focal_lengths") || at.find("cc_optical_center")) {
-    camera.lens = lensFromShares(at.at("focal_lengths").numbers(2, share, "of width and height"),
-                                 at.at("cc_optical_center").numbers(2, share, "of width and height"));
+    camera.lens = readLensShares(at.at("focal_lengths"), at.at("cc_optical_center"));
   }
 }
 

@@ -4,6 +4,7 @@
 #include "protocol/BoundedJson.hpp"
 
 #include <fmt/format.h>
+#include <vector>
 
 namespace naocal {
 
@@ -19,12 +20,15 @@ LensShares sharesOf(const CameraIntrinsics& lens) {
   return {{lens.fx / lens.width, lens.fy / lens.height}, {lens.cx / lens.width, lens.cy / lens.height}};
 }
 
-CameraIntrinsics lensFromShares(const std::vector<double>& focal, const std::vector<double>& centre) {
+CameraIntrinsics readLensShares(const JsonCursor& focal, const JsonCursor& centre) {
+  constexpr Range range{0.01, 100, "of the picture"};
+  const std::vector<double> focalShares = focal.numbers(2, range, "of width and height"),
+                            centreShares = centre.numbers(2, range, "of width and height");
   CameraIntrinsics lens;
-  lens.fx = focal[0] * lens.width;
-  lens.fy = focal[1] * lens.height;
-  lens.cx = centre[0] * lens.width;
-  lens.cy = centre[1] * lens.height;
+  lens.fx = focalShares[0] * lens.width;
+  lens.fy = focalShares[1] * lens.height;
+  lens.cx = centreShares[0] * lens.width;
+  lens.cy = centreShares[1] * lens.height;
   return lens;
 }
 

@@ -7,7 +7,6 @@
 #include <Eigen/Core>
 #include <nlohmann/json.hpp>
 #include <string>
-#include <vector>
 
 namespace naocal {
 
@@ -21,8 +20,8 @@ struct LensShares {
 };
 LensShares sharesOf(const CameraIntrinsics& lens);
 
-/// A lens without distortion from two shares each; the picture has 640 x 480 pixels.
-CameraIntrinsics lensFromShares(const std::vector<double>& focal, const std::vector<double>& centre);
+/// Reads a lens without distortion from two shares each; the picture has 640 x 480 pixels.
+CameraIntrinsics readLensShares(const JsonCursor& focal, const JsonCursor& centre);
 
 /// Numbers as a JSON list, rounded to some digits behind the point.
 template <typename Vector> nlohmann::ordered_json roundedList(const Vector& numbers, int digits) {
