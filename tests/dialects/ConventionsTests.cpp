@@ -1,5 +1,5 @@
 #include "dialects/BHuman.hpp"
-#include "dialects/Decimals.hpp"
+#include "dialects/text/Decimals.hpp"
 #include "dialects/Hulks.hpp"
 #include "dialects/HulksTree.hpp"
 #include "dialects/Kalibr.hpp"

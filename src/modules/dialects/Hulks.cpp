@@ -1,7 +1,7 @@
 #include "dialects/Hulks.hpp"
 
-#include "dialects/Decimals.hpp"
-#include "dialects/JsonText.hpp"
+#include "dialects/text/Decimals.hpp"
+#include "dialects/text/JsonText.hpp"
 #include "math/Angles.hpp"
 #include "protocol/JointOrder.hpp"
 

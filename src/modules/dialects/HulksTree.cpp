@@ -1,7 +1,7 @@
 #include "dialects/HulksTree.hpp"
 
-#include "dialects/Decimals.hpp"
-#include "dialects/JsonText.hpp"
+#include "dialects/text/Decimals.hpp"
+#include "dialects/text/JsonText.hpp"
 #include "dialects/MountAngles.hpp"
 #include "math/Angles.hpp"
 #include "protocol/JointOrder.hpp"

@@ -1,8 +1,8 @@
 #include "dialects/Kalibr.hpp"
 
-#include "dialects/Decimals.hpp"
+#include "dialects/text/Decimals.hpp"
 #include "dialects/MountAngles.hpp"
-#include "dialects/YamlText.hpp"
+#include "dialects/text/YamlText.hpp"
 #include "io/InputError.hpp"
 #include "math/RigidTransform.hpp"
 

@@ -1,6 +1,6 @@
 #include "dialects/MapCalibration.hpp"
 
-#include "dialects/Decimals.hpp"
+#include "dialects/text/Decimals.hpp"
 #include "dialects/MountAngles.hpp"
 #include "io/InputError.hpp"
 #include "math/Angles.hpp"

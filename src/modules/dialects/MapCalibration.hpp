@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dialects/MapText.hpp"
+#include "dialects/text/MapText.hpp"
 #include "dialects/RobotCalibration.hpp"
 #include "robot/Robot.hpp"
 

@@ -1,7 +1,7 @@
 #include "dialects/RosCameraInfo.hpp"
 
-#include "dialects/Decimals.hpp"
-#include "dialects/YamlText.hpp"
+#include "dialects/text/Decimals.hpp"
+#include "dialects/text/YamlText.hpp"
 #include "io/InputError.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "dialects/Decimals.hpp"
+#include "dialects/text/Decimals.hpp"
 
 #include <charconv>
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-#include "dialects/MapText.hpp"
+#include "dialects/text/MapText.hpp"
 
 #include "io/InputError.hpp"
 #include "math/Angles.hpp"

@@ -1,4 +1,4 @@
-#include "dialects/YamlText.hpp"
+#include "dialects/text/YamlText.hpp"
 
 #include "io/InputError.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "data/Capture.hpp"
-#include "dialects/Decimals.hpp"
+#include "dialects/text/Decimals.hpp"
 #include "io/JsonReader.hpp"
 
 #include <Eigen/Core>

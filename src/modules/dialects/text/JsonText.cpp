@@ -1,4 +1,4 @@
-#include "dialects/JsonText.hpp"
+#include "dialects/text/JsonText.hpp"
 
 #include "io/InputError.hpp"
 #include "protocol/BoundedJson.hpp"
