@@ -2,12 +2,15 @@
 
 #include "calibration/Fit.hpp"
 #include "calibration/Initialization.hpp"
+#include "effects/Catalogue.hpp"
 #include "estimation/ModelBuilder.hpp"
 #include "estimation/ModelFile.hpp"
 #include "io/InputError.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 namespace naocal {
@@ -117,6 +120,29 @@ Prediction preparePrediction(const Model& model, const StoredResult& result, con
 }
 
 } // namespace
+
+StoredResult readKnownResult(const std::filesystem::path& file) {
+  StoredResult result = readResult(file);
+  std::vector<std::string> known{effectName::boardPlacement, effectName::stancePlacement};
+  for (const Effect& effect : allEffects()) {
+    known.push_back(effect.name);
+    known.push_back(effect.alias);
+  }
+  for (const nlohmann::json& definition : nlohmann::json::parse(result.definitions)) {
+    if (definition.is_object() && definition.contains("name") && definition["name"].is_string()) {
+      known.push_back(definition["name"]);
+    }
+  }
+  for (const std::string& term : result.terms) {
+    const std::string name = term.substr(0, term.find('@'));
+    if (std::find(known.begin(), known.end(), name) == known.end()) {
+      throw InputError{fmt::format("{}: effects: expected effects of 'naocal effects' or of the result's own "
+                                   "definitions, found \"{}\"; near it are {}",
+                                   file.string(), term, fmt::join(closestNames(name, known), ", "))};
+    }
+  }
+  return result;
+}
 
 Comparison compare(const StoredResult& result, const std::vector<CaptureSet>& sets, const Robot& robot,
                    bool samePlace) {

@@ -3,11 +3,16 @@
 #include "calibration/ResultFile.hpp"
 
 #include <Eigen/Core>
+#include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
 
 namespace naocal {
+
+/// Reads a result file to predict with. Throws InputError as readResult does, and for effects that neither the
+/// catalogue nor the result itself defines, which would be left out.
+StoredResult readKnownResult(const std::filesystem::path& file);
 
 /// How well a result predicts unseen captures.
 struct Comparison {

@@ -12,18 +12,21 @@
 
 namespace naocal {
 
-Captures readCaptures(const std::vector<std::filesystem::path>& folders, const std::filesystem::path& configuration) {
+Captures readCaptures(const std::vector<std::filesystem::path>& folders, const std::filesystem::path& configuration,
+                      const ReadOptions& options) {
   if (folders.empty()) {
     throw InputError{"expected at least one folder with captures.json, found none"};
   }
   Captures captures;
   std::vector<CaptureSet> sets;
   for (const std::filesystem::path& folder : folders) {
-    sets.push_back(readCaptureSet(folder).set);
+    LoadedCaptureSet read = readCaptureSet(folder, options.skipBad ? BadCapturePolicy::skip : BadCapturePolicy::refuse);
+    captures.skipped.insert(captures.skipped.end(), read.skipped.begin(), read.skipped.end());
     captures.sources.add(folder);
+    sets.push_back(std::move(read.set));
   }
   const Robot robot = loadRobot(configuration, sets.front().model);
-  captures.measurements = buildMeasurements(std::move(sets), robot);
+  captures.measurements = buildMeasurements(std::move(sets), robot, options.samePlace);
   return captures;
 }
 

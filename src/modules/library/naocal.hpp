@@ -18,11 +18,18 @@ namespace naocal {
 struct Captures {
   ResultSources sources; // folders and SHA-256 of their captures.json
   Measurements measurements;
+  std::vector<std::string> skipped = {}; // one sentence per capture that was left out (`ReadOptions::skipBad`)
+};
+
+struct ReadOptions {
+  bool samePlace = false; // boards and stances of equal id have the same placement in all sets
+  bool skipBad = false;   // leaves out captures that cannot be used instead of refusing their set
 };
 
 /// Reads folders with a captures.json each. `configuration` holds the robots' descriptions (`drawings/`). Throws
 /// InputError for an empty list.
-Captures readCaptures(const std::vector<std::filesystem::path>& folders, const std::filesystem::path& configuration);
+Captures readCaptures(const std::vector<std::filesystem::path>& folders, const std::filesystem::path& configuration,
+                      const ReadOptions& options = {});
 
 #ifdef NAOCAL_INSTALLED_CONFIGURATION
 /// The same with the installed robot descriptions.

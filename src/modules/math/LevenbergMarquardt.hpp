@@ -1,5 +1,7 @@
 #pragma once
 
+#include "math/Checkpoints.hpp"
+
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <cmath>
@@ -37,7 +39,8 @@ template <typename State, typename Linear> struct Minimum {
 /// `linearize` receives one of two `Linear`s, empty or filled by an earlier call, whose memory it may reuse.
 /// If the cost has a kink or a narrow curved valley (a gear's gap), steps never achieve the predicted decrease; such a
 /// search counts as converged once its cost hardly decreases.
-/// Refuses steps to infeasible states. Absent if the start is infeasible.
+/// Refuses steps to infeasible states. Absent if the start is infeasible. Every iteration is a checkpoint
+/// (math/Checkpoints.hpp).
 template <typename Problem, typename State>
 auto levenbergMarquardt(const Problem& problem, State start, const LevenbergMarquardtOptions& options = {})
     -> std::optional<Minimum<State, typename Problem::Linear>> {
@@ -50,6 +53,7 @@ auto levenbergMarquardt(const Problem& problem, State start, const LevenbergMarq
   bool arrived = false; // by a step, not just at the start
   std::vector<double> costs;
   while (minimum.iterations < options.maxIterations && !minimum.converged) {
+    Checkpoints::reach();
     ++minimum.iterations;
     const auto& here = minimum.linear;
     Eigen::MatrixXd damped = here.hessian;

@@ -1,6 +1,7 @@
 #include "poses/NextPoses.hpp"
 
 #include "estimation/ModelBuilder.hpp"
+#include "math/Checkpoints.hpp"
 #include "poses/candidates/SingleSupportPlanner.hpp"
 #include "poses/criteria/Discrimination.hpp"
 #include "poses/criteria/PlannedInformation.hpp"
@@ -52,6 +53,7 @@ std::vector<std::size_t> greedily(const Discrimination& discrimination, const Pl
     double best = -1;
     std::size_t next = 0;
     for (const std::size_t i : left) {
+      Checkpoints::reach();
       Eigen::MatrixXd with = known;
       information.promised[i].addTo(with);
       if (const double gain = discrimination.expectedGain(before, discrimination.misfits(with)); gain > best) {

@@ -15,20 +15,6 @@ namespace naocal {
 
 namespace {
 
-/// The format of a file's content, or a description of it.
-std::string kindOf(const std::string& content) {
-  const std::string mark = "<script type=\"application/json\" id=\"data\">"; // in every report page
-  if (content.starts_with("<!doctype html>")) {
-    return content.find(mark) != std::string::npos ? std::string{pageFormat} : "another page";
-  }
-  const auto json = nlohmann::json::parse(content, nullptr, false);
-  if (json.is_discarded()) {
-    return "something that is not JSON";
-  }
-  const bool isNamed = json.is_object() && json.contains("format") && json["format"].is_string();
-  return isNamed ? json["format"].get<std::string>() : "JSON of an unknown format";
-}
-
 /// Throws InputError if a file holds something else than a PDF of this creator.
 void requireSamePdf(const std::filesystem::path& file, std::string_view creator) {
   std::error_code ignored;
@@ -44,19 +30,6 @@ void requireSamePdf(const std::filesystem::path& file, std::string_view creator)
 }
 
 } // namespace
-
-void requireSameKind(const std::filesystem::path& file, std::string_view format) {
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(file, ignored)) {
-    return;
-  }
-  const std::string content = readFile(file);
-  if (const std::string kind = content.empty() ? std::string{format} : kindOf(content); kind != format) {
-    throw InputError{fmt::format("{}: expected a new file or one with {} to replace, found {}; it is left alone, name "
-                                 "another file or remove it first",
-                                 file.string(), format, kind)};
-  }
-}
 
 CLI::Validator replaceableFile(std::string format) {
   return CLI::Validator{[format = std::move(format)](const std::string& file) {
@@ -92,9 +65,7 @@ void writeJson(const nlohmann::json& json, const std::string& file) {
   if (file == "-") {
     fmt::print("{}\n", json.dump(1));
   } else {
-    requireSameKind(file, json.at("format").get_ref<const std::string&>());
-    removeAbandonedWritesOf(file);
-    writeAtomically(file, json.dump(1) + "\n");
+    replaceJson(file, json);
   }
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "io/FileKind.hpp"
+
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -11,18 +13,11 @@ class Validator;
 
 namespace naocal {
 
-/// Format name of report pages; JSON files have the key `format`.
-inline constexpr std::string_view pageFormat = "naocal's report page";
-
 /// Creators of PDFs, as written into them.
 inline constexpr std::string_view boardPdfCreator = "naocal board", floorPdfCreator = "naocal floor plan";
 
-/// Throws InputError if a file holds another format, so that no command overwrites it. Files that do not exist, are
-/// empty, or are not regular (pipes, devices) are accepted.
-void requireSameKind(const std::filesystem::path& file, std::string_view format);
-
-/// The same check for a command-line option that names an output file (- is standard output), before a long
-/// computation.
+/// Requires the same kind (`requireSameKind`) of a command-line option that names an output file (- is standard
+/// output), before a long computation.
 CLI::Validator replaceableFile(std::string format);
 
 /// The same for a PDF of a creator.

@@ -1,6 +1,7 @@
 #include "poses/candidates/PoseSampler.hpp"
 
 #include "io/InputError.hpp"
+#include "math/Checkpoints.hpp"
 #include "math/LinearAlgebra.hpp"
 #include "math/Parallel.hpp"
 #include "math/SubsetSelection.hpp"
@@ -87,6 +88,7 @@ std::vector<ModelState> sampleStableStates(const Robot& robot, const PlanningSce
   std::vector<ModelState> found;
   PassCounts sieve;
   for (std::size_t tried = 0; tried < options.maxAttempts && found.size() < count; ++tried) {
+    Checkpoints::reach();
     if (const auto attitude = attitudes.draw(sieve)) {
       found.push_back(attitude->modelState);
     }

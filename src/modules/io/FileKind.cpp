@@ -1,0 +1,49 @@
+#include "io/FileKind.hpp"
+
+#include "io/Files.hpp"
+#include "io/InputError.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace naocal {
+
+namespace {
+
+/// The format of a file's content, or a description of it.
+std::string kindOf(const std::string& content) {
+  const std::string mark = "<script type=\"application/json\" id=\"data\">"; // in every report page
+  if (content.starts_with("<!doctype html>")) {
+    return content.find(mark) != std::string::npos ? std::string{pageFormat} : "another page";
+  }
+  const auto json = nlohmann::json::parse(content, nullptr, false);
+  if (json.is_discarded()) {
+    return "something that is not JSON";
+  }
+  const bool isNamed = json.is_object() && json.contains("format") && json["format"].is_string();
+  return isNamed ? json["format"].get<std::string>() : "JSON of an unknown format";
+}
+
+} // namespace
+
+void requireSameKind(const std::filesystem::path& file, std::string_view format) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(file, ignored)) {
+    return;
+  }
+  const std::string content = readFile(file);
+  if (const std::string kind = content.empty() ? std::string{format} : kindOf(content); kind != format) {
+    throw InputError{fmt::format("{}: expected a new file or one with {} to replace, found {}; it is left alone, name "
+                                 "another file or remove it first",
+                                 file.string(), format, kind)};
+  }
+}
+
+void replaceJson(const std::filesystem::path& file, const nlohmann::json& json) {
+  requireSameKind(file, json.at("format").get_ref<const std::string&>());
+  removeAbandonedWritesOf(file);
+  writeAtomically(file, json.dump(1) + "\n");
+}
+
+} // namespace naocal
