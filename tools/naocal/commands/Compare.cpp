@@ -4,11 +4,8 @@
 #include "console/PrintText.hpp"
 
 #include "calibration/Prediction.hpp"
-#include "effects/Catalogue.hpp"
-#include "io/InputError.hpp"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
@@ -30,30 +27,6 @@ struct Versus {
   double otherRms = 0;       // [px]
 };
 
-/// Reads a result; refuses effects that neither the catalogue nor the result itself defines, which would be left out.
-StoredResult readKnownResult(const std::string& file) {
-  StoredResult result = readResult(file);
-  std::vector<std::string> known{effectName::boardPlacement, effectName::stancePlacement};
-  for (const Effect& effect : allEffects()) {
-    known.push_back(effect.name);
-    known.push_back(effect.alias);
-  }
-  for (const nlohmann::json& definition : nlohmann::json::parse(result.definitions)) {
-    if (definition.is_object() && definition.contains("name") && definition["name"].is_string()) {
-      known.push_back(definition["name"]);
-    }
-  }
-  for (const std::string& term : result.terms) {
-    const std::string name = term.substr(0, term.find('@'));
-    if (std::find(known.begin(), known.end(), name) == known.end()) {
-      throw InputError{fmt::format("{}: effects: expected effects of 'naocal effects' or of the result's own "
-                                   "definitions, found \"{}\"; near it are {}",
-                                   file, term, fmt::join(closestNames(name, known), ", "))};
-    }
-  }
-  return result;
-}
-
 Versus compareTwo(const StoredResult& result, const StoredResult& other, const LoadedSets& given, bool samePlace) {
   const auto error = [&](const StoredResult& one) {
     return weightedError(one, given.sets, given.robot, samePlace, result.noise);
@@ -62,13 +35,13 @@ Versus compareTwo(const StoredResult& result, const StoredResult& other, const L
 }
 
 void compareSets(const CompareCommand& command) {
-  const StoredResult result = readKnownResult(command.result);
+  const StoredResult result = readResult(command.result);
   const LoadedSets given = loadSets(command.sets, command.skipBad);
   const Comparison comparison = compare(result, given.sets, given.robot, command.samePlace);
   nlohmann::json json = comparisonJson(comparison);
   std::optional<Versus> versus;
   if (!command.against.empty()) {
-    versus = compareTwo(result, readKnownResult(command.against), given, command.samePlace);
+    versus = compareTwo(result, readResult(command.against), given, command.samePlace);
     json["against"] = {{"rmsPx", versus->otherRms}, {"weightedPx", versus->other}};
     json["weightedPx"] = versus->own;
   }
