@@ -1,4 +1,5 @@
 #include "commands/Commands.hpp"
+#include "console/PrintText.hpp"
 #include "console/RobotCalibrationFile.hpp"
 
 #include "dialects/Dialects.hpp"
@@ -52,11 +53,11 @@ void printRemarks(const Dialect& dialect, const LoadedCalibration& loaded, const
     }
   }
   if (!zero.empty()) {
-    fmt::print("written as 0, for want of a number: {}\n", fmt::join(zero, ", "));
+    printText("written as 0, for want of a number: {}\n", fmt::join(zero, ", "));
   }
   const std::vector<std::string> lost = unwritten(dialect, written, loaded.robot);
   if (!lost.empty()) {
-    fmt::print("{} has no place for: {}\n", dialect.name, fmt::join(lost, ", "));
+    printText("{} has no place for: {}\n", dialect.name, fmt::join(lost, ", "));
   }
 }
 
@@ -78,7 +79,7 @@ void exportCalibration(const ExportCommand& command) {
   for (const DialectFile& file : files) {
     const std::filesystem::path path = std::filesystem::path{command.output} / file.name;
     writeAtomically(path, file.text);
-    fmt::print("written: {}\n", path.string());
+    printText("written: {}\n", path.string());
   }
 }
 
