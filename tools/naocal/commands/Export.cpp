@@ -4,6 +4,7 @@
 
 #include "dialects/Dialects.hpp"
 #include "io/Files.hpp"
+#include "io/Folders.hpp"
 #include "io/InputError.hpp"
 
 #include <CLI/CLI.hpp>
@@ -75,7 +76,7 @@ void exportCalibration(const ExportCommand& command) {
   }
   printCompensations(loaded);
   printRemarks(dialect, loaded, all);
-  std::filesystem::create_directories(command.output);
+  createFolders(command.output);
   for (const DialectFile& file : files) {
     const std::filesystem::path path = std::filesystem::path{command.output} / file.name;
     writeAtomically(path, file.text);
