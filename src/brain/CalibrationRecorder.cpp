@@ -7,6 +7,7 @@
 #include "diagnosis/DiagnosisFile.hpp"
 #include "estimation/ModelBuilder.hpp"
 #include "io/Files.hpp"
+#include "io/Folders.hpp"
 #include "io/GreyImage.hpp"
 #include "io/InputError.hpp"
 
@@ -23,7 +24,7 @@ CalibrationRecorder::CalibrationRecorder(const Robot& drawing, CaptureSet header
     throw InputError{fmt::format("{}: expected an empty folder for a new recording, found captures; move them away",
                                  folder_.string())};
   }
-  std::filesystem::create_directories(folder_ / "images");
+  createFolders(folder_ / "images");
 }
 
 std::vector<BoardCorners> CalibrationRecorder::record(Capture capture, const CameraFrame& frame) {

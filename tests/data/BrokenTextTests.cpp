@@ -27,6 +27,8 @@ TEST_CASE("broken syntax is refused with line and column") {
   CHECK_THAT(refusal("{\"a\": 1e999}"), Catch::Contains("1e999"));
   CHECK_THAT(refusal("[]"), Catch::Contains("top level: expected an object, found a list of 0"));
   CHECK_THAT(refusal(std::string(100000, '[')), Catch::Contains("levels of brackets"));
+  CHECK_THAT(refusal(std::string(101, '[') + std::string(101, ']')), Catch::Contains("at most 100 levels of brackets"));
+  CHECK_THAT(refusal(std::string(100, '[') + std::string(100, ']')), Catch::Contains("top level: expected an object"));
 }
 
 TEST_CASE("names and numbers of captures have limits") {

@@ -5,6 +5,7 @@
 #include "robot/Kinematics.hpp"
 
 #include <catch2/catch.hpp>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <thread>
 
@@ -103,6 +104,38 @@ TEST_CASE("an expression may use every name of the contract") {
     CHECK(bench.correction(effect, 3, {2}) == Approx(2 * value));
     CHECK(effect.drivers.size() + effect.remoteDrivers.size() == 1);
     CHECK_FALSE(effect.onlyAtMotor);
+  }
+}
+
+TEST_CASE("a correction is one value and assigns nothing") {
+  // Proves the sentences with their positions for what muParser accepts beyond one value, wherever it stands; commas
+  // between a function's arguments and all comparisons remain.
+  using Catch::Contains;
+  const Bench bench;
+  const std::string whole = "a*sin(3*q) + b*abs(tau)";
+  const auto several = [&](const std::string& text, std::size_t letter) {
+    CAPTURE(text);
+    CHECK_THAT(bench.refusal(whole, text),
+               Contains(fmt::format("several values, separated by a comma; add them (at letter {})", letter)));
+  };
+  const auto assigns = [&](const std::string& text, std::size_t letter) {
+    CAPTURE(text);
+    CHECK_THAT(bench.refusal(whole, text),
+               Contains(fmt::format("= assigns a value; compare with == (at letter {})", letter)));
+  };
+  several("a,a", 2);
+  several("max(a,b), b", 9);
+  several(",a", 1);
+  assigns("a*q + 0*(q=1)", 11);
+  assigns("q=a", 2);
+  assigns("a*(q==1) + 0*(b=1)", 16);
+  for (const char* text : {"a*max(0, q)", "a*min(max(0,q),1)", "a*(q>=0.1)*(q<=1) + b*(q!=0)*(q==q)", "(a + b)*q"}) {
+    CAPTURE(text);
+    CHECK(bench.refusal(whole, text) == "accepted");
+  }
+  for (const char* text : {"(a,a)", "a*(q,1)", "a===1", "a*(q=>1)", ",", "=", "a,"}) {
+    CAPTURE(text);
+    CHECK(bench.refusal(whole, text) != "accepted");
   }
 }
 

@@ -121,6 +121,25 @@ TEST_CASE("a picture of another size than its camera's is refused by its header"
   CHECK_THROWS_WITH(imageSize("GIF89a and more", "it"), Catch::Contains("expected a whole picture"));
 }
 
+TEST_CASE("a picture has at most 2^26 pixels, by its header") {
+  // Proves the boundary with the header of a small JPEG whose size was changed: nothing is decoded.
+  const GreyPicture picture = drawing(64, 48);
+  const std::string jpeg = encodeJpeg(picture.pixels, 64, 48, 90);
+  const std::size_t frame = jpeg.find(std::string("\x00\x30\x00\x40", 4)); // height and width, in the frame's header
+  REQUIRE(frame != std::string::npos);
+  const auto sized = [&](int width, int height) {
+    std::string content = jpeg;
+    const int bytes[] = {height >> 8, height & 255, width >> 8, width & 255};
+    for (std::size_t i = 0; i < 4; ++i) {
+      content[frame + i] = static_cast<char>(bytes[i]);
+    }
+    return content;
+  };
+  CHECK(imageSize(sized(8192, 8192), "it") == PictureSize{8192, 8192});
+  CHECK_THROWS_WITH(imageSize(sized(8193, 8192), "it"), Catch::Contains("expected a whole picture"));
+  CHECK_THROWS_WITH(imageSize(sized(0, 8192), "it"), Catch::Contains("expected a whole picture"));
+}
+
 TEST_CASE("a picture is written as its file's name says, or not at all") {
   // Proves both extensions, and the message for any other.
   const TemporaryFolder folder;

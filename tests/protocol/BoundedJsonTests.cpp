@@ -7,10 +7,17 @@
 namespace naocal {
 
 TEST_CASE("brackets without end are refused before they exhaust the stack") {
-  // Proves that 100 levels are accepted and 110 are not, closed or not.
+  // Proves the boundary for lists and objects: 100 levels are accepted, 101 are not, closed or not.
   CHECK(parseBoundedJson(R"({"a": [1, 2]})")["a"][1] == 2);
-  CHECK_NOTHROW(parseBoundedJson(std::string(100, '[') + std::string(100, ']')));
-  CHECK_THROWS_AS(parseBoundedJson(std::string(110, '[') + std::string(110, ']')), nlohmann::json::exception);
+  CHECK_NOTHROW(parseBoundedJson(std::string(100, '[') + "1" + std::string(100, ']')));
+  CHECK_THROWS_WITH(parseBoundedJson(std::string(101, '[') + std::string(101, ']')),
+                    Catch::Contains("expected at most 100 levels of brackets, found more"));
+  std::string objects = "1";
+  for (int i = 0; i < 100; ++i) {
+    objects = "{\"a\":" + objects + "}";
+  }
+  CHECK_NOTHROW(parseBoundedJson(objects));
+  CHECK_THROWS_AS(parseBoundedJson("[" + objects + "]"), nlohmann::json::exception);
   CHECK_THROWS_AS(parseBoundedJson(std::string(100000, '[')), nlohmann::json::exception);
   CHECK_THROWS_AS(parseBoundedJson("{"), nlohmann::json::exception);
 }

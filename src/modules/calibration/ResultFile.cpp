@@ -1,6 +1,7 @@
 #include "calibration/ResultFile.hpp"
 
 #include "calibration/Calibration.hpp"
+#include "calibration/KnownEffects.hpp"
 #include "calibration/Verdict.hpp"
 #include "estimation/DriverState.hpp"
 #include "io/Files.hpp"
@@ -243,6 +244,7 @@ StoredResult parseResult(const json& all, const std::string& name) {
       result.definitions = all["model"]["define"].dump();
     }
     result.noise = noiseFrom(all.value("noise", json::object()), name);
+    requireKnownEffects(all, name);
     for (const json& effect : all.at("effects")) {
       const std::string label = effect.at("effect").get<std::string>() + "@" + effect.at("at").get<std::string>();
       result.terms.push_back(label);

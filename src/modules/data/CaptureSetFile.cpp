@@ -3,6 +3,7 @@
 #include "data/BoardFile.hpp"
 #include "data/Capture.hpp"
 #include "io/Files.hpp"
+#include "io/Folders.hpp"
 #include "io/InputError.hpp"
 #include "io/JsonReader.hpp"
 #include "io/JsonWriter.hpp"
@@ -583,11 +584,11 @@ std::string formatCaptureSet(const CaptureSet& set) {
 }
 
 void writeCaptureSet(const CaptureSet& set, const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) {
-    throw InputError{
-        fmt::format("{}: the folder cannot be made: {}; choose another place", folder.string(), error.message())};
+  try {
+    createFolders(folder);
+  } catch (const std::filesystem::filesystem_error& error) {
+    throw InputError{fmt::format("{}: the folder cannot be made: {}; choose another place", folder.string(),
+                                 error.code().message())};
   }
   writeAtomically(folder / "captures.json", formatCaptureSet(set));
 }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <map>
 #include <muParser.h>
+#include <string_view>
 
 namespace naocal {
 
@@ -46,6 +47,41 @@ ExpressionError translateError(const mu::Parser::exception_type& error, const st
   return {fmt::format("{} (at letter {})", error.GetMsg(), letter + 1), letter};
 }
 
+/// Position of an assignment ("=" that is part of no comparison), which would change a value for the rest of the text.
+std::size_t findAssignment(const std::string& text) {
+  for (std::size_t at = text.find('='); at != std::string::npos; at = text.find('=', at + 1)) {
+    const bool endsComparison = at > 0 && std::string_view{"=<>!"}.find(text[at - 1]) != std::string_view::npos;
+    const bool beginsComparison = at + 1 < text.size() && text[at + 1] == '=';
+    if (!endsComparison && !beginsComparison) {
+      return at;
+    }
+  }
+  return std::string::npos;
+}
+
+/// Position of the first comma outside parentheses, which separates values.
+std::size_t findSeparator(const std::string& text) {
+  int depth = 0;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    depth += text[at] == '(' ? 1 : text[at] == ')' ? -1 : 0;
+    if (text[at] == ',' && depth == 0) {
+      return at;
+    }
+  }
+  return std::string::npos;
+}
+
+/// Throws ExpressionError for what muParser accepts beyond one value: several of them, of which it takes the last, and
+/// assignments.
+void requireOneValue(const std::string& text) {
+  if (const std::size_t at = findAssignment(text); at != std::string::npos) {
+    throw ExpressionError{fmt::format("= assigns a value; compare with == (at letter {})", at + 1), at};
+  }
+  if (const std::size_t at = findSeparator(text); at != std::string::npos) {
+    throw ExpressionError{fmt::format("several values, separated by a comma; add them (at letter {})", at + 1), at};
+  }
+}
+
 } // namespace
 
 /// Parser of one thread, since evaluation by muParser is not thread-safe.
@@ -57,6 +93,7 @@ struct Expression::Parsed {
 
 Expression::Expression(const std::string& text, const std::function<ExpressionSymbol(const std::string&)>& resolve)
     : text_{text}, identity_{std::make_shared<const char>()} {
+  requireOneValue(text);
   try {
     mu::Parser parser;
     parser.SetExpr(text);

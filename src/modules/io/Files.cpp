@@ -1,5 +1,6 @@
 #include "io/Files.hpp"
 
+#include "io/Folders.hpp"
 #include "io/InputError.hpp"
 
 #include <algorithm>
@@ -215,9 +216,7 @@ void writeAtomically(const std::filesystem::path& file, std::string_view content
     ::unlink(temporary.c_str());
     refuseWriting(file, reason);
   }
-  if (const Descriptor directory{folder, O_RDONLY | O_DIRECTORY}; directory.isOpen()) {
-    directory.sync(); // makes the new name durable; without it the file is still complete
-  }
+  syncFolder(folder); // without it the file is still complete
 }
 
 void removeAbandonedWrites(const std::filesystem::path& folder) {

@@ -3,6 +3,7 @@
 #include "data/BoardFile.hpp"
 #include "data/CaptureSetFile.hpp"
 #include "io/Files.hpp"
+#include "io/Folders.hpp"
 #include "io/InputError.hpp"
 #include "io/JsonReader.hpp"
 #include "measurements/Noise.hpp"
@@ -274,7 +275,7 @@ Json planJson(const PosePlan& plan, const Robot& robot) {
 }
 
 void writePoseFiles(const PosePlan& plan, const Robot& robot, const std::filesystem::path& folder) {
-  std::filesystem::create_directories(folder);
+  createFolders(folder);
   const Json poses = poseListJson(plan.poses, secondsOf(plan), robot);
   for (std::size_t i = 0; i < plan.poses.size(); ++i) {
     std::string text;

@@ -10,8 +10,9 @@ constexpr int deepest = 100;
 } // namespace
 
 nlohmann::json parseBoundedJson(std::string_view text, bool withComments) {
-  const auto shallow = [](int depth, nlohmann::json::parse_event_t, nlohmann::json&) {
-    if (depth > deepest) {
+  using Event = nlohmann::json::parse_event_t;
+  const auto shallow = [](int depth, Event event, nlohmann::json&) { // depth: brackets around the present ones
+    if (depth >= deepest && (event == Event::array_start || event == Event::object_start)) {
       throw nlohmann::json::out_of_range::create(0, "expected at most 100 levels of brackets, found more", nullptr);
     }
     return true;

@@ -1,5 +1,6 @@
 #include "report/ReportPage.hpp"
 
+#include "calibration/KnownEffects.hpp"
 #include "io/Files.hpp"
 #include "io/JsonReader.hpp"
 #include "report/DiagnosisData.hpp"
@@ -63,6 +64,9 @@ std::string renderReport(const json& document, const std::filesystem::path& file
   const std::string data = harmless(isDiagnosis    ? diagnosisData(top)
                                     : isEvaluation ? evaluationData(top)
                                                    : resultData(top, SourceCaptures{top, file}));
+  if (!isDiagnosis && !isEvaluation) {
+    requireKnownEffects(document, file.string());
+  }
   const pageFiles::Page& page = isDiagnosis    ? pageFiles::diagnosis
                                 : isEvaluation ? pageFiles::evaluation
                                                : pageFiles::result;

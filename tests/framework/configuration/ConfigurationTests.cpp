@@ -3,6 +3,7 @@
 #include "framework/network/Sockets.hpp"
 
 #include <catch2/catch.hpp>
+#include <sys/stat.h>
 
 namespace naocal {
 namespace {
@@ -402,6 +403,24 @@ TEST_CASE("published keys are served beside a file's and never saved") {
   robot.configuration.set("tuhhSDK.base", "location", "default");
   robot.configuration.save();
   CHECK(robot.content("default/sdk.json") == json{{"location", "default"}});
+}
+
+TEST_CASE("a configuration file has a limited size and is a regular file") {
+  // Proves the size at its boundary, with files that take no space on the disk: the largest one is read, and refused
+  // for its content alone. A pipe is refused instead of waited for.
+  ConfiguredRobot robot;
+  robot.file("default/Large.json", "");
+  const auto path = robot.path("default/Large.json");
+  const auto mounting = [&] {
+    return refusal([&] { robot.configuration.mount("Brain.Large", "Large.json", RobotPart::head); });
+  };
+  std::filesystem::resize_file(path, largestConfigurationFile + 1);
+  CHECK(mounting() == path.string() + ": expected at most 67108864 bytes in a configuration file, found 67108865");
+  std::filesystem::resize_file(path, largestConfigurationFile);
+  CHECK(mounting().rfind(path.string() + ": expected valid JSON", 0) == 0);
+  std::filesystem::remove(path);
+  REQUIRE(::mkfifo(path.c_str(), 0600) == 0);
+  CHECK(mounting() == path.string() + ": expected a file, found a folder, pipe or device");
 }
 
 TEST_CASE("broken files are refused with a sentence that names them") {

@@ -1,5 +1,6 @@
 #include "commands/Commands.hpp"
 #include "console/OutputFiles.hpp"
+#include "console/PrintText.hpp"
 #include "console/RobotCalibrationFile.hpp"
 
 #include "dialects/ModelCalibration.hpp"
@@ -113,9 +114,9 @@ std::string shortNumber(const json& value) {
 
 void printDifferences(const json& changes) {
   for (const auto& [mount, keys] : changes.items()) {
-    fmt::print("{} [{}]\n", mount, mount.starts_with("Motion") ? "degrees" : "radians; lens: shares of the picture");
+    printText("{} [{}]\n", mount, mount.starts_with("Motion") ? "degrees" : "radians; lens: shares of the picture");
     for (const auto& [key, values] : keys.items()) {
-      fmt::print("  {:<16} {:>28} -> {}\n", key, shortNumber(values[0]), shortNumber(values[1]));
+      printText("  {:<16} {:>28} -> {}\n", key, shortNumber(values[0]), shortNumber(values[1]));
     }
   }
 }
@@ -148,7 +149,7 @@ void apply(const ApplyCommand& command) {
   try {
     const RobotNames names = namesOf(command, loaded.calibration, folders);
     Configuration configuration{folders, names, writeAtomically,
-                                [](std::string_view line) { fmt::print(stderr, "{}\n", line); }};
+                                [](std::string_view line) { printText(stderr, "{}\n", line); }};
     mountCalibration(configuration);
     const json changes = change(command, loaded, configuration);
     const std::vector<std::string> files = targetsOf(configuration);
@@ -156,8 +157,8 @@ void apply(const ApplyCommand& command) {
       if (!command.undo) {
         printCompensations(loaded);
       }
-      fmt::print("body {}, head {}: {}\n", names.body, names.head,
-                 changes.empty() ? "nothing changes" : "before -> after");
+      printText("body {}, head {}: {}\n", names.body, names.head,
+                changes.empty() ? "nothing changes" : "before -> after");
       printDifferences(changes);
       std::fflush(stdout);
     }
@@ -176,11 +177,11 @@ void apply(const ApplyCommand& command) {
                 command.json);
     }
     if (command.json != "-" && !changes.empty()) {
-      fmt::print("{}: {}\n",
-                 command.undo     ? "restored"
-                 : command.dryRun ? "would be written"
-                                  : "written",
-                 fmt::join(files, ", "));
+      printText("{}: {}\n",
+                command.undo     ? "restored"
+                : command.dryRun ? "would be written"
+                                 : "written",
+                fmt::join(files, ", "));
     }
   } catch (const ConfigurationError& error) {
     throw InputError{error.what()};

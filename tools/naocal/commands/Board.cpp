@@ -1,5 +1,6 @@
 #include "commands/Commands.hpp"
 #include "console/OutputFiles.hpp"
+#include "console/PrintText.hpp"
 
 #include "data/BoardFile.hpp"
 #include "io/Files.hpp"
@@ -126,9 +127,9 @@ void BoardCommand::measure(std::vector<PrintedBoard>& boards, const std::set<std
     if (selected.contains(board.board.id)) {
       setMeasuredSize(board, rulers);
       const CharucoPattern& real = *board.board.pattern;
-      fmt::print("board {}: squares of {:.3f} mm, markers of {:.3f} mm ({:+.2f} %)\n", board.board.id,
-                 1000 * real.squareLength, 1000 * real.markerLength,
-                 100 * (real.squareLength / board.drawn.squareLength - 1));
+      printText("board {}: squares of {:.3f} mm, markers of {:.3f} mm ({:+.2f} %)\n", board.board.id,
+                1000 * real.squareLength, 1000 * real.markerLength,
+                100 * (real.squareLength / board.drawn.squareLength - 1));
     }
   }
 }
@@ -155,8 +156,8 @@ void BoardCommand::print(const std::vector<PrintedBoard>& boards, const std::set
                                 sheets == 1 ? "" : "s", tile.empty() ? paper : tile));
   }
   writePdf(output, pdf.finish(), boardPdfCreator);
-  fmt::print("{}\n{} is written: print it at 100 %, and measure both rulers of each board\n", fmt::join(lines, "\n"),
-             output);
+  printText("{}\n{} is written: print it at 100 %, and measure both rulers of each board\n", fmt::join(lines, "\n"),
+            output);
 }
 
 void BoardCommand::run() const {
@@ -184,7 +185,7 @@ void BoardCommand::run() const {
   if (!boardsFile.empty()) {
     const auto read = isThere ? readBoardList(boardsFile).source : nullptr;
     writeJson(printedBoardsJson(boards, read), boardsFile);
-    fmt::print("{} holds the boards: give it to poses, simulate and naocal-robot with --boards\n", boardsFile);
+    printText("{} holds the boards: give it to poses, simulate and naocal-robot with --boards\n", boardsFile);
   }
 }
 

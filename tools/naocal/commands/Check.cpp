@@ -1,5 +1,6 @@
 #include "commands/Commands.hpp"
 #include "console/OutputFiles.hpp"
+#include "console/PrintText.hpp"
 #include "console/Progress.hpp"
 
 #include "inspection/CaptureSetCheck.hpp"
@@ -60,15 +61,15 @@ void printProblems(const CaptureSetCheck& check, bool all) {
   for (std::size_t i = 0; i < check.problems.size(); ++i) {
     const SetProblem& problem = check.problems[i];
     if (previous == nullptr || previous->severity != problem.severity) {
-      fmt::print("{}:\n", heads.at(problem.severity));
+      printText("{}:\n", heads.at(problem.severity));
     }
     previous = &problem;
     const std::string alike = problem.kind + pattern(problem.sentence);
     const std::size_t number = ++printed[alike];
     if (all || number <= shown) {
-      fmt::print("{:>4}  {}\n", i + 1, problem.sentence);
+      printText("{:>4}  {}\n", i + 1, problem.sentence);
     } else if (number == shown + 1) {
-      fmt::print("      {} more like the last of these (--all prints them)\n", counts[alike] - shown);
+      printText("      {} more like the last of these (--all prints them)\n", counts[alike] - shown);
     }
   }
 }
@@ -93,11 +94,11 @@ void addCheck(CLI::App& app, int& exitCode) {
     }
     if (command->json != "-") {
       printProblems(check, command->all);
-      fmt::print("{}: {} captures, {} poses, {} problem{}\n", command->set, check.captures, check.poses,
-                 check.problems.empty() ? "no" : std::to_string(check.problems.size()),
-                 check.problems.size() == 1 ? "" : "s");
+      printText("{}: {} captures, {} poses, {} problem{}\n", command->set, check.captures, check.poses,
+                check.problems.empty() ? "no" : std::to_string(check.problems.size()),
+                check.problems.size() == 1 ? "" : "s");
       if (Progress::wasInterrupted()) {
-        fmt::print("stopped: not all pictures were looked at\n");
+        printText("stopped: not all pictures were looked at\n");
       }
     }
   });

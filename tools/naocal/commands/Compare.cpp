@@ -35,13 +35,13 @@ Versus compareTwo(const StoredResult& result, const StoredResult& other, const L
 }
 
 void compareSets(const CompareCommand& command) {
-  const StoredResult result = readKnownResult(command.result);
+  const StoredResult result = readResult(command.result);
   const LoadedSets given = loadSets(command.sets, command.skipBad);
   const Comparison comparison = compare(result, given.sets, given.robot, command.samePlace);
   nlohmann::json json = comparisonJson(comparison);
   std::optional<Versus> versus;
   if (!command.against.empty()) {
-    versus = compareTwo(result, readKnownResult(command.against), given, command.samePlace);
+    versus = compareTwo(result, readResult(command.against), given, command.samePlace);
     json["against"] = {{"rmsPx", versus->otherRms}, {"weightedPx", versus->other}};
     json["weightedPx"] = versus->own;
   }

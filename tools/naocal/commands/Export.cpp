@@ -1,8 +1,10 @@
 #include "commands/Commands.hpp"
+#include "console/PrintText.hpp"
 #include "console/RobotCalibrationFile.hpp"
 
 #include "dialects/Dialects.hpp"
 #include "io/Files.hpp"
+#include "io/Folders.hpp"
 #include "io/InputError.hpp"
 
 #include <CLI/CLI.hpp>
@@ -52,11 +54,11 @@ void printRemarks(const Dialect& dialect, const LoadedCalibration& loaded, const
     }
   }
   if (!zero.empty()) {
-    fmt::print("written as 0, for want of a number: {}\n", fmt::join(zero, ", "));
+    printText("written as 0, for want of a number: {}\n", fmt::join(zero, ", "));
   }
   const std::vector<std::string> lost = unwritten(dialect, written, loaded.robot);
   if (!lost.empty()) {
-    fmt::print("{} has no place for: {}\n", dialect.name, fmt::join(lost, ", "));
+    printText("{} has no place for: {}\n", dialect.name, fmt::join(lost, ", "));
   }
 }
 
@@ -74,11 +76,11 @@ void exportCalibration(const ExportCommand& command) {
   }
   printCompensations(loaded);
   printRemarks(dialect, loaded, all);
-  std::filesystem::create_directories(command.output);
+  createFolders(command.output);
   for (const DialectFile& file : files) {
     const std::filesystem::path path = std::filesystem::path{command.output} / file.name;
     writeAtomically(path, file.text);
-    fmt::print("written: {}\n", path.string());
+    printText("written: {}\n", path.string());
   }
 }
 

@@ -1,5 +1,6 @@
 #include "commands/Commands.hpp"
 #include "console/OutputFiles.hpp"
+#include "console/PrintText.hpp"
 
 #include "dialects/Dialects.hpp"
 #include "io/Files.hpp"
@@ -25,22 +26,22 @@ void printImported(const RobotCalibration& calibration) {
   for (const std::string_view joint : offsetJoints()) {
     const auto offset = calibration.offsets.find(std::string{joint});
     if (offset != calibration.offsets.end() && offset->second != 0) {
-      fmt::print("  {:<16} {:>9.4f}°\n", joint, degrees(offset->second));
+      printText("  {:<16} {:>9.4f}°\n", joint, degrees(offset->second));
     }
   }
   for (const auto& [name, camera] : calibration.cameras) {
     if (camera.rotation) {
       const Eigen::Vector3d angles = *camera.rotation * degrees(1.0);
-      fmt::print("  camera {:<9} turned by {:.4f}°, {:.4f}°, {:.4f}° about x, y, z\n", name, angles.x(), angles.y(),
-                 angles.z());
+      printText("  camera {:<9} turned by {:.4f}°, {:.4f}°, {:.4f}° about x, y, z\n", name, angles.x(), angles.y(),
+                angles.z());
     }
     if (camera.translation) {
       const Eigen::Vector3d shift = *camera.translation * 1000;
-      fmt::print("  camera {:<9} shifted by {:.2f}, {:.2f}, {:.2f} mm\n", name, shift.x(), shift.y(), shift.z());
+      printText("  camera {:<9} shifted by {:.2f}, {:.2f}, {:.2f} mm\n", name, shift.x(), shift.y(), shift.z());
     }
     if (camera.lens) {
-      fmt::print("  camera {:<9} {} x {} px, fx {:.2f}, fy {:.2f}, cx {:.2f}, cy {:.2f}\n", name, camera.lens->width,
-                 camera.lens->height, camera.lens->fx, camera.lens->fy, camera.lens->cx, camera.lens->cy);
+      printText("  camera {:<9} {} x {} px, fx {:.2f}, fy {:.2f}, cx {:.2f}, cy {:.2f}\n", name, camera.lens->width,
+                camera.lens->height, camera.lens->fx, camera.lens->fy, camera.lens->cx, camera.lens->cy);
     }
   }
 }
@@ -58,9 +59,9 @@ void importCalibration(const ImportCommand& command) {
   }
   printImported(all.calibration);
   for (const std::string& what : all.unused) {
-    fmt::print("not used: {}\n", what);
+    printText("not used: {}\n", what);
   }
-  fmt::print("written to {}; next: naocal solve CAPTURES -o result.json --start {}\n", command.output, command.output);
+  printText("written to {}; next: naocal solve CAPTURES -o result.json --start {}\n", command.output, command.output);
 }
 
 } // namespace

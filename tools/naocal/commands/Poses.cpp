@@ -2,6 +2,7 @@
 #include "console/CommandLine.hpp"
 #include "console/OutputFiles.hpp"
 #include "console/PrintPlan.hpp"
+#include "console/PrintText.hpp"
 #include "data/BoardListFile.hpp"
 #include "data/CaptureSetFile.hpp"
 #include "io/InputError.hpp"
@@ -119,19 +120,19 @@ struct PosesCommand {
       extendPlan(extend, drawn, scene.boards, plan);
     }
     const PosePlan result =
-        planPoses(drawn, std::move(scene), plan, [](const std::string& what) { fmt::print(stderr, "{}\n", what); });
+        planPoses(drawn, std::move(scene), plan, [](const std::string& what) { printText(stderr, "{}\n", what); });
     printPlan(result);
     writeJson(planJson(result, drawn), output);
-    fmt::print("{} holds the poses and where the boards are\n", output);
+    printText("{} holds the poses and where the boards are\n", output);
     if (!floor.empty()) {
       PdfDocument pdf{floorPdfCreator, "Floor plan of naocal poses"};
       addFloorPlan(pdf, result, drawn);
       writePdf(floor, pdf.finish(), floorPdfCreator);
-      fmt::print("{} shows where to lay the boards, to print\n", floor);
+      printText("{} shows where to lay the boards, to print\n", floor);
     }
     if (!poseFiles.empty()) {
       writePoseFiles(result, drawn, poseFiles);
-      fmt::print("{} holds a .pose file for each\n", poseFiles);
+      printText("{} holds a .pose file for each\n", poseFiles);
     }
   }
 };

@@ -1,5 +1,6 @@
 #include "commands/Commands.hpp"
 #include "console/OutputFiles.hpp"
+#include "console/PrintText.hpp"
 #include "console/Progress.hpp"
 #include "console/Subprocess.hpp"
 
@@ -100,7 +101,7 @@ files::path ReplayCommand::follow(const files::path& into, std::vector<std::stri
   const auto say = [&](std::string_view line) {
     said.emplace_back(line);
     if (json != "-") {
-      fmt::print("  {}\n", line);
+      printText("  {}\n", line);
     }
   };
   const ProcessResult ended = followProcess(robotCommand(into), say, waiting);
@@ -139,8 +140,8 @@ std::vector<ReplayedEstimate> readEstimates(const files::path& file, const std::
 }
 
 void printEstimates(const std::vector<ReplayedEstimate>& estimates, bool isCompared) {
-  fmt::print("\n  {:<38} {:>12}     {:>10}{}\n", "unknown", "replayed", "±  1 sigma",
-             isCompared ? "          recorded    difference" : "");
+  printText("\n  {:<38} {:>12}     {:>10}{}\n", "unknown", "replayed", "±  1 sigma",
+            isCompared ? "          recorded    difference" : "");
   for (const ReplayedEstimate& each : estimates) {
     const auto [unit, scale] = displayUnit(each.unit);
     std::string line = fmt::format("  {:<38} {:>10.4f} {:<4}  {:>8.4f} {:<4}", each.name, scale * each.value, unit,
@@ -150,7 +151,7 @@ void printEstimates(const std::vector<ReplayedEstimate>& estimates, bool isCompa
                                           scale * (each.value - *each.recorded), unit)
                             : "          -";
     }
-    fmt::print("{}\n", line);
+    printText("{}\n", line);
   }
 }
 
@@ -184,12 +185,12 @@ void printDifference(const std::vector<ReplayedEstimate>& estimates, const files
     }
   }
   if (worst == nullptr) {
-    fmt::print("\n{} has none of these unknowns\n", file.string());
+    printText("\n{} has none of these unknowns\n", file.string());
   } else if (same == compared) {
-    fmt::print("\nall {} estimates that {} has are the same, bit for bit\n", compared, file.string());
+    printText("\nall {} estimates that {} has are the same, bit for bit\n", compared, file.string());
   } else {
-    fmt::print("\n{} of {} estimates differ from {}, at most by {:.2g} sigma ({})\n", compared - same, compared,
-               file.string(), inSigmas(*worst), worst->name);
+    printText("\n{} of {} estimates differ from {}, at most by {:.2g} sigma ({})\n", compared - same, compared,
+              file.string(), inSigmas(*worst), worst->name);
   }
 }
 
@@ -219,10 +220,10 @@ int ReplayCommand::run() const {
       printDifference(estimates, *file);
     }
     if (!output.empty()) {
-      fmt::print("{} holds captures and result of the replay\n", folder.string());
+      printText("{} holds captures and result of the replay\n", folder.string());
     }
     if (!replayed.usable) {
-      fmt::print("Do not use this result: naocal solve {} says why\n", round().string());
+      printText("Do not use this result: naocal solve {} says why\n", round().string());
     }
   }
   return replayed.usable ? 0 : 3;

@@ -1,6 +1,7 @@
 #include "commands/Commands.hpp"
 #include "console/CommandLine.hpp"
 #include "console/OutputFiles.hpp"
+#include "console/PrintText.hpp"
 #include "console/Progress.hpp"
 #include "data/BoardListFile.hpp"
 #include "data/CaptureSetFile.hpp"
@@ -292,13 +293,13 @@ void simulateSet(const SimulateOptions& options) {
               options.json);
   }
   if (options.json != "-") {
-    fmt::print("{}: {} captures of {} poses in {} stance{}, {}\n", robot.model, simulation.set.captures.size(),
-               plan.poses.size(), simulation.set.stances.size(), simulation.set.stances.size() == 1 ? "" : "s",
-               plan.images ? "with pictures (naocal detect finds their corners)"
-                           : fmt::format("{} corners", cornerCount(simulation.set)));
-    fmt::print("set:   {}\ntruth: {}\n", options.output, truth.string());
+    printText("{}: {} captures of {} poses in {} stance{}, {}\n", robot.model, simulation.set.captures.size(),
+              plan.poses.size(), simulation.set.stances.size(), simulation.set.stances.size() == 1 ? "" : "s",
+              plan.images ? "with pictures (naocal detect finds their corners)"
+                          : fmt::format("{} corners", cornerCount(simulation.set)));
+    printText("set:   {}\ntruth: {}\n", options.output, truth.string());
     if (Progress::wasInterrupted()) {
-      fmt::print("stopped: the set holds the captures whose picture was taken\n");
+      printText("stopped: the set holds the captures whose picture was taken\n");
     }
   }
 }

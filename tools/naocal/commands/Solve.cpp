@@ -60,8 +60,8 @@ int solve(SolveCommand& command) {
     SearchStart start = readStart(command.start, measurements, model);
     command.options.start = std::move(start.unknowns);
     if (command.json != "-") {
-      fmt::print("starts at {} numbers of {}{}{}\n", start.count, command.start,
-                 start.unused.empty() ? "" : "; not in this model: ", fmt::join(start.unused, ", "));
+      printText("starts at {} numbers of {}{}{}\n", start.count, command.start,
+                start.unused.empty() ? "" : "; not in this model: ", fmt::join(start.unused, ", "));
     }
   }
   const CalibrationResult result = calibrate(measurements, model, command.options);

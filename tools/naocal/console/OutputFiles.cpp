@@ -15,6 +15,26 @@ namespace naocal {
 
 namespace {
 
+/// JSON for a terminal: dump() leaves DEL and the control characters of UTF-8 in two bytes (U+0080 to U+009F) as they
+/// are; here they are escaped as in JSON, which means the same.
+std::string printableJson(const nlohmann::json& json) {
+  std::string result;
+  const std::string text = json.dump(1);
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    const auto next = i + 1 < text.size() ? static_cast<unsigned char>(text[i + 1]) : 0;
+    if (byte == 0x7f) {
+      result += "\\u007f";
+    } else if (byte == 0xc2 && next >= 0x80 && next < 0xa0) {
+      result += fmt::format("\\u{:04x}", next);
+      ++i;
+    } else {
+      result += text[i];
+    }
+  }
+  return result;
+}
+
 /// Throws InputError if a file holds something else than a PDF of this creator.
 void requireSamePdf(const std::filesystem::path& file, std::string_view creator) {
   std::error_code ignored;
@@ -63,7 +83,7 @@ CLI::Validator replaceablePdf(std::string_view creator) {
 
 void writeJson(const nlohmann::json& json, const std::string& file) {
   if (file == "-") {
-    fmt::print("{}\n", json.dump(1));
+    fmt::print("{}\n", printableJson(json));
   } else {
     replaceJson(file, json);
   }

@@ -1,4 +1,5 @@
 #include "console/RobotCalibrationFile.hpp"
+#include "console/PrintText.hpp"
 
 #include "calibration/Prediction.hpp"
 #include "data/CaptureSetFile.hpp"
@@ -148,21 +149,21 @@ void printCompensations(const LoadedCalibration& loaded) {
     return std::max(std::abs(joint.delta), joint.highest - joint.lowest) < noticeable;
   });
   if (!bent.empty()) {
-    fmt::print("the model corrects these joints beside their offsets [degrees]:\n"
-               "  {:<16} {:>9} {:>14} {:>22} {:>16} {:>10}\n",
-               "", "offset o", "delta there", "in the captures", "spread (sigma)", "o - delta");
+    printText("the model corrects these joints beside their offsets [degrees]:\n"
+              "  {:<16} {:>9} {:>14} {:>22} {:>16} {:>10}\n",
+              "", "offset o", "delta there", "in the captures", "spread (sigma)", "o - delta");
     for (const JointCompensation& joint : bent) {
-      fmt::print("  {:<16} {:>9.3f} {:>14.3f} {:>10.3f} to {:>8.3f} {:>16.3f} {:>10.3f}\n", joint.joint,
-                 degrees(joint.offset), degrees(joint.delta), degrees(joint.lowest), degrees(joint.highest),
-                 degrees(joint.spread), degrees(joint.constant()));
+      printText("  {:<16} {:>9.3f} {:>14.3f} {:>10.3f} to {:>8.3f} {:>16.3f} {:>10.3f}\n", joint.joint,
+                degrees(joint.offset), degrees(joint.delta), degrees(joint.lowest), degrees(joint.highest),
+                degrees(joint.spread), degrees(joint.constant()));
     }
-    fmt::print("a constant is right at the posture only; elsewhere it is off by as much as delta changes\n");
+    printText("a constant is right at the posture only; elsewhere it is off by as much as delta changes\n");
   }
   if (!loaded.otherTerms.empty()) {
-    fmt::print("a constant cannot correct: {}\n", fmt::join(loaded.otherTerms, ", "));
+    printText("a constant cannot correct: {}\n", fmt::join(loaded.otherTerms, ", "));
   }
   if (!loaded.unlearned.empty()) {
-    fmt::print("left out, less than 50 % learned: {}\n", fmt::join(loaded.unlearned, ", "));
+    printText("left out, less than 50 % learned: {}\n", fmt::join(loaded.unlearned, ", "));
   }
 }
 

@@ -3,8 +3,10 @@
 #include "framework/configuration/ConfigurationLayers.hpp"
 
 #include <algorithm>
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <unistd.h>
 
 namespace naocal {
 namespace {
@@ -36,9 +38,34 @@ std::vector<FileContent> filesOf(const nlohmann::json& noted, const std::filesys
   return files;
 }
 
+/// Makes the names in a folder durable, where the system can do so.
+void syncFolder(const std::filesystem::path& folder) {
+  if (const int file = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); file >= 0) {
+    ::fsync(file);
+    ::close(file);
+  }
+}
+
+/// Creates missing folders. Their names are durable before anything is written into them: otherwise a power failure
+/// could lose files that were written.
+void createFolders(const std::filesystem::path& folder) {
+  if (folder.empty() || std::filesystem::is_directory(folder)) {
+    return;
+  }
+  createFolders(folder.parent_path());
+  std::filesystem::create_directory(folder);
+  syncFolder(folder.parent_path());
+}
+
+/// Removes a journal for good: it must not come back after a power failure and undo what is written later.
+void removeJournal(const std::filesystem::path& journal) {
+  std::filesystem::remove(journal);
+  syncFolder(journal.parent_path());
+}
+
 void writeAll(const std::vector<FileContent>& files, const FileWriter& writer) {
   for (const FileContent& one : files) {
-    std::filesystem::create_directories(one.file.parent_path());
+    createFolders(one.file.parent_path());
     writer(one.file, one.content);
   }
 }
@@ -53,12 +80,12 @@ void writeFilesAtomically(const std::filesystem::path& journal, const std::files
   nlohmann::json noted = {{"files", nlohmann::json::array()}};
   for (const FileContent& one : files) {
     noted["files"].push_back({{"file", one.file.lexically_relative(folder).string()}, {"content", one.content}});
-    std::filesystem::create_directories(one.file.parent_path());
+    createFolders(one.file.parent_path());
   }
-  std::filesystem::create_directories(journal.parent_path());
+  createFolders(journal.parent_path());
   writer(journal, noted.dump());
   writeAll(files, writer);
-  std::filesystem::remove(journal);
+  removeJournal(journal);
 }
 
 std::string recoverWrites(const std::filesystem::path& journal, const std::filesystem::path& folder,
@@ -76,7 +103,7 @@ std::string recoverWrites(const std::filesystem::path& journal, const std::files
                        journal.string(), error.what());
   }
   writeAll(files, writer);
-  std::filesystem::remove(journal);
+  removeJournal(journal);
   return "";
 }
 

@@ -111,8 +111,7 @@ void ConfigServer::onReceived(Peer& peer, std::uint8_t type, std::string body) {
 template <class Action> void ConfigServer::change(const Peer& peer, std::string_view what, const Action& action) {
   if (!isTrusted(peer)) {
     if (!std::exchange(clientOf(peer).isRefused, true)) { // logged once: repetition would fill the disk
-      log_(fmt::format("Client {}: {} was refused, as all that it asks for will be; it has not sent the secret of "
-                       "access.json.",
+      log_(fmt::format("Client {}: what it asks for is refused until it sends the secret of access.json: {}.",
                        nameOf(peer), what));
     }
     return;
