@@ -13,6 +13,7 @@ import {showUserEffect} from "./analysis/user-effect.js";
 import {showLink} from "./bridge-status.js";
 import {showTools} from "./command-runner.js";
 import {connect, on} from "./core/connection.js";
+import {explainAlways} from "./core/glossary.js";
 import {offerViews} from "./core/session-export.js";
 import {notice, onNotice, state} from "./core/state.js";
 import {hasCalibration, leaveCalibrate, calibrationSummary, onMessage as onCalibrateMessage, showCalibrate} from "./robots/calibrate.js";
@@ -243,4 +244,5 @@ const linked = connected => showLink(connected, () => {
 linked(false);
 takeDrops();
 onUpload(() => { if (current?.id === "home") draw(); });
+explainAlways([at("view"), at("model")]);
 connect(linked);
