@@ -6,7 +6,7 @@ import {tmpdir} from "node:os";
 import {join} from "node:path";
 
 const notRun = 77; // CTest's SKIP_RETURN_CODE
-const patience = 900000; // timeout of all waits [ms]; long, as results must not depend on the machine's load
+const patience = Number(process.env.NAOCAL_PATIENCE) || 900000; // timeout of all waits [ms]; long, as results must not depend on the machine's load
 
 export const skip = why => { console.log("not run: " + why); process.exit(notRun); };
 
@@ -31,9 +31,14 @@ export function check(truth, sentence) {
 // Checks that a promise resolves before its timeout.
 export const happens = (awaited, sentence) => awaited.then(() => check(true, sentence), error => check(false, sentence + ": " + error.message.split("\n")[0]));
 
+const ownState = {}; // environment with a folder of its own for what panels keep
+const environment = () => ({...process.env, XDG_STATE_HOME: ownState.folder ??= folder(), ...ownState.more});
+/** Further variables of programs that are started later. */
+export const setEnvironment = more => { ownState.more = more; };
+
 // Starts a program that runs until `stop`; its first line of output contains the address.
 export async function started(program, ...options) {
-  const child = spawn(program, options, {stdio: ["ignore", "pipe", "inherit"]});
+  const child = spawn(program, options, {stdio: ["ignore", "pipe", "inherit"], env: environment()});
   process.on("exit", () => child.kill("SIGKILL"));
   const line = await new Promise((resolve, reject) => {
     let text = "";

@@ -75,5 +75,11 @@ if (await bent.locator("#bentBy").count()) {
   await happens(bent.locator("figcaption", {hasText: "standard errors"}).waitFor(), "and those that the suggested effects leave");
   check(await words() !== base, "which are others: " + await words());
 }
+for (const [name, page] of Object.entries({result, diagnosis})) {
+  const links = page.locator("#contents a"), titles = await page.locator("section h2:visible").allInnerTexts();
+  check((await links.allInnerTexts()).join() === titles.join() && titles.length > 4, "the " + name + "'s contents are its sections: " + titles.length);
+  await links.last().click();
+  check(await page.getByRole("heading", {name: titles.at(-1), exact: true}).evaluate(title => { const {top} = title.getBoundingClientRect(); return top >= 0 && top < innerHeight; }), "and lead to them");
+}
 await browser.close();
 end();

@@ -1,9 +1,10 @@
 #pragma once
 
+#include "start/ChildProgram.hpp"
+
 #include <boost/asio/io_context.hpp>
 #include <filesystem>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,8 +21,6 @@ public:
 
   /// `program`: absent if `naocal` is not installed.
   CommandRunner(boost::asio::io_context& context, std::optional<std::filesystem::path> program, MessageSink tell);
-  /// Sends SIGTERM to a running command.
-  ~CommandRunner();
 
   /// Starts a command: its name and options. Throws InputError for an unknown command, or while another one runs.
   void run(const std::vector<std::string>& words);
@@ -32,11 +31,9 @@ public:
   std::string latest() const;
 
 private:
-  struct Running;
-  std::shared_ptr<Running> running_;
+  MessageSink tell_;
+  bool ending_ = false; // whether an end was requested
+  ChildProgram child_;
 };
-
-/// Looks for `naocal` beside this program (installed or build tree), then on the PATH.
-std::optional<std::filesystem::path> findNaocal();
 
 } // namespace naocal

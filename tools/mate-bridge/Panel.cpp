@@ -10,6 +10,7 @@
 #include "server/HttpServer.hpp"
 #include "server/PageFiles.hpp"
 #include "server/RequestGuard.hpp"
+#include "start/StartPage.hpp"
 
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/post.hpp>
@@ -37,15 +38,20 @@ struct Panel::Implementation {
                options.port,
                makeToken(),
                {[this](std::string_view path) { return file(path); }, [this](std::size_t panel) { greet(panel); },
-                [this](std::size_t panel) { robots.removePanel(panel); },
+                [this](std::size_t panel) {
+                  robots.removePanel(panel);
+                  start.removePanel(panel);
+                },
                 [this](std::size_t panel, const std::string& text) { received(panel, text); }}},
-        runner{context, findNaocal(), [this](const std::string& json) { server.sendAll(makeMessage(json)); }} {
+        runner{context, findProgram("naocal"), [this](const std::string& json) { server.sendAll(makeMessage(json)); }},
+        start{context, options.recentFiles, startCalls()} {
     signals.async_wait([this](boost::system::error_code, int) { context.stop(); });
     for (const std::string& robot : options.robots) {
       robots.connect(robot);
     }
     if (options.opened) {
       analysis.setDataset(std::move(*options.opened));
+      start.opened(options.paths);
     }
   }
 
@@ -64,6 +70,15 @@ struct Panel::Implementation {
         [this](std::size_t panel, std::string json) { server.send(panel, makeMessage(std::move(json), false, true)); },
         [this](std::size_t panel, std::string bytes) { server.send(panel, makeMessage(std::move(bytes), true, true)); },
         [this](std::function<void()> action) { boost::asio::post(context, std::move(action)); }};
+  }
+
+  StartPage::Calls startCalls() {
+    return {[this](const std::string& json) { server.sendAll(makeMessage(json)); },
+            [this](const std::vector<std::string>& paths) {
+              analysis.open(paths, [this](const std::string& why) { refuseAll(why); });
+            },
+            [this](const std::string& robot) { robots.connect(robot); },
+            [this](const std::string& robot) { robots.disconnect(robot); }};
   }
 
   HttpReply file(std::string_view path) const {
@@ -95,15 +110,20 @@ struct Panel::Implementation {
       return content ? HttpReply{200, "application/octet-stream", std::move(*content)}
                      : plain(404, "This was not made.");
     }
+    if (auto boards = StartPage::boards(path)) {
+      return {200, "application/pdf", std::move(*boards)};
+    }
     if (const auto part = pageFile(path.empty() ? "index.html" : path)) {
       return {200, std::string{part->type}, std::string{part->content}};
     }
     return path.empty() ? plain(503, std::string{pageMissing()}) : plain(404, "The panel has no such file.");
   }
 
-  void refuse(std::size_t panel, const std::string& problem) {
-    server.send(panel, makeMessage(jsonText({{"kind", "refused"}, {"sentence", problem}})));
+  static Message refusal(const std::string& problem) {
+    return makeMessage(jsonText({{"kind", "refused"}, {"sentence", problem}}));
   }
+  void refuse(std::size_t panel, const std::string& problem) { server.send(panel, refusal(problem)); }
+  void refuseAll(const std::string& problem) { server.sendAll(refusal(problem)); }
 
   void greet(std::size_t panel) {
     server.send(panel, hello());
@@ -112,13 +132,15 @@ struct Panel::Implementation {
     }
     robots.addPanel(panel);
     server.send(panel, makeMessage(runner.latest()));
+    server.send(panel, makeMessage(start.message()));
   }
 
   void received(std::size_t panel, const std::string& text) {
     std::string problem;
     try {
-      const Json body = parseBoundedJson(text);
-      const Request request{*this, panel, body};
+      const std::size_t end = std::min(text.find('\n'), text.size()); // of the JSON; a part of a file may follow
+      const Json body = parseBoundedJson(std::string_view{text}.substr(0, end));
+      const Request request{*this, panel, body, std::string_view{text}.substr(std::min(end + 1, text.size()))};
       const auto found = handlers().find(request.verb());
       found == handlers().end() ? request.refuseVerb() : found->second(request);
       return;
@@ -130,11 +152,12 @@ struct Panel::Implementation {
     refuse(panel, problem);
   }
 
-  /// A panel's request: {"do": verb, ..}.
+  /// A panel's request: {"do": verb, ..}; with a part of a file: "{json}\n" and its bytes.
   struct Request {
     Implementation& bridge;
     std::size_t panel;
     const Json& body;
+    std::string_view attached;
 
     const Json& at(const char* key) const { return body.at(key); }
     std::string verb() const { return at("do"); }
@@ -162,8 +185,14 @@ struct Panel::Implementation {
       bridge.server.send(panel, makeMessage(jsonText(content)));
     }
     void open() const {
-      bridge.analysis.open(at("paths"),
-                           [&bridge = bridge, panel = panel](const std::string& why) { bridge.refuse(panel, why); });
+      const std::vector<std::string> paths = at("paths");
+      bridge.analysis.open(
+          paths, [&bridge = bridge, panel = panel](const std::string& why) { bridge.refuse(panel, why); },
+          [&bridge = bridge, paths] { bridge.start.opened(paths); });
+    }
+    void upload() const {
+      bridge.start.beginUpload(panel, at("files"));
+      answer("uploaded", {{"bytes", 0}, {"complete", false}});
     }
     void unwatch() const {
       if (WatchedRobot* const robot = robotIfThere()) {
@@ -209,6 +238,21 @@ struct Panel::Implementation {
         {"set", [](const Request& request) { request.robot().set(request.at("settings")); }},
         {"save", [](const Request& request) { request.robot().save(); }},
         {"stand", [](const Request& request) { request.answer("stand", request.bridge.stood(request.at("angles"))); }},
+        // the start page
+        {"forget", [](const Request& request) { request.bridge.start.forget(request.at("paths")); }},
+        {"findRobots", [](const Request& request) { request.bridge.start.findRobots(request.at("robots")); }},
+        {"sample", [](const Request& request) { request.bridge.start.openSample(); }},
+        {"truth",
+         [](const Request& request) {
+           request.answer("truth", {{"label", request.bridge.start.sampleTruth()}});
+         }},
+        {"startRobot", [](const Request& request) { request.bridge.start.startRobot(); }},
+        {"endRobot", [](const Request& request) { request.bridge.start.endRobot(); }},
+        {"upload", [](const Request& request) { request.upload(); }},
+        {"uploadPart",
+         [](const Request& request) {
+           request.answer("uploaded", request.bridge.start.addUpload(request.panel, request.attached));
+         }},
         // the terminal's commands
         {"run", [](const Request& request) { request.bridge.runner.run(request.at("words")); }},
         {"endRun", [](const Request& request) { request.bridge.runner.end(); }},
@@ -228,6 +272,7 @@ struct Panel::Implementation {
   Robots robots;
   HttpServer server;
   CommandRunner runner;
+  StartPage start;
   AnalysisSlot analysis{[this](std::function<void()> action) { boost::asio::post(context, std::move(action)); },
                         [this](const Message& told) { server.sendAll(told); }}; // last: its threads post to the context
 };

@@ -2,6 +2,7 @@
 #include "Panel.hpp"
 #include "analysis/Dataset.hpp"
 #include "server/PageFiles.hpp"
+#include "start/RecentFiles.hpp"
 
 #include "io/Failure.hpp"
 #include "io/Files.hpp"
@@ -54,10 +55,11 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", NAOCAL_VERSION);
   try {
     app.parse(argc, argv);
-    naocal::PanelOptions options{std::nullopt, robots, portOf(listen)};
+    naocal::PanelOptions options{std::nullopt, robots, portOf(listen), sets, naocal::recentFilesFile()};
     if (!session.empty()) {
       naocal::removeAbandonedWritesOf(session);
       options.opened = naocal::openSession(sets, session);
+      options.paths = sets.empty() ? std::vector{session} : sets;
     } else if (!sets.empty()) {
       options.opened = naocal::openDataset(sets);
     }

@@ -164,21 +164,26 @@ void AnalysisSlot::setDataset(Dataset opened) {
   worker_ = std::move(fresh);
 }
 
-void AnalysisSlot::open(const std::vector<std::string>& paths,
-                        std::function<void(const std::string& problem)> refused) {
+void AnalysisSlot::open(const std::vector<std::string>& paths, std::function<void(const std::string& problem)> refused,
+                        std::function<void()> opened) {
   tellWork("opening captures");
-  opening_.enqueue([this, paths, refused = std::move(refused)] {
-    std::shared_ptr<Dataset> opened;
+  opening_.enqueue([this, paths, refused = std::move(refused), opened = std::move(opened)] {
+    std::shared_ptr<Dataset> dataset;
     std::string problem;
     try {
-      opened = std::make_shared<Dataset>(openDataset(paths));
+      dataset = std::make_shared<Dataset>(openDataset(paths));
     } catch (const std::exception& error) {
       problem = error.what();
     }
-    later_([this, opened, problem, refused] {
+    later_([this, dataset, problem, refused, opened] {
       tellWork(nullptr);
       try {
-        opened ? setDataset(std::move(*opened)) : refused(problem);
+        if (!dataset) {
+          refused(problem);
+          return;
+        }
+        setDataset(std::move(*dataset));
+        opened();
       } catch (const std::exception& error) {
         refused(error.what());
       }

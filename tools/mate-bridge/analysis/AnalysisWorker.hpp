@@ -78,8 +78,10 @@ public:
 
   /// Replaces the analysis. Throws InputError for captures that do not match the robot.
   void setDataset(Dataset opened);
-  /// Opens captures asynchronously and analyses them; on failure calls `refused` with the reason.
-  void open(const std::vector<std::string>& paths, std::function<void(const std::string& problem)> refused);
+  /// Opens captures asynchronously and analyses them; then calls `opened`, or on failure `refused` with the reason.
+  void open(
+      const std::vector<std::string>& paths, std::function<void(const std::string& problem)> refused,
+      std::function<void()> opened = [] {});
 
   /// nullptr if no captures are open.
   AnalysisWorker* worker() const { return worker_.get(); }

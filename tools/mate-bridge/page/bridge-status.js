@@ -1,6 +1,6 @@
 // Connection status in the header, and the notice after losing the bridge.
 import {at} from "naocal/lib/dom.js";
-import {notice, state} from "./core/state.js";
+import {endNotice, notice, state} from "./core/state.js";
 import {refreshStop} from "./robots/controls.js";
 import {bridgeLost} from "./robots/robots.js";
 
@@ -12,6 +12,7 @@ export function showLink(connected, gone) {
   at("link").className = connected ? "" : "gone";
   at("link").title = connected ? "The panel is connected to mate-bridge." : "mate-bridge does not answer; the panel keeps trying. It shows the last known state.";
   lostAt = connected ? null : lostAt ?? Date.now();
+  if (connected) endNotice("bridge");
   if (lostAt && Date.now() - lostAt > 5000) otherBridge();
   if (!connected) {
     state.work = null;
@@ -32,5 +33,5 @@ async function otherBridge() {
   if (saidSo || (answer && answer.ok)) return;
   saidSo = true;
   notice(answer ? "mate-bridge was restarted at another address: open the address that it prints. This page shows the last known state."
-    : "mate-bridge has been away for some seconds. If it was restarted, open the address that it prints. This page shows the last known state.");
+    : "mate-bridge has been away for some seconds. If it was restarted, open the address that it prints. This page shows the last known state.", "bridge");
 }

@@ -10,10 +10,11 @@ if(NOT CMAKE_SCRIPT_MODE_FILE)
   set(page_web ${CMAKE_SOURCE_DIR}/src/modules/report/web) # what report and panel draw alike, imported as naocal/...
   file(GLOB_RECURSE page_files CONFIGURE_DEPENDS ${page_folder}/*.js ${page_folder}/*.css ${page_folder}/*.html
     ${page_web}/lib/*.js ${page_web}/lib/*.css ${page_web}/plots/*.js ${page_web}/views/*.js)
+  set(page_glossary ${CMAKE_SOURCE_DIR}/docs/glossary.md) # the panel explains terms in its words
   add_custom_command(
     OUTPUT ${page_output}
     COMMAND ${CMAKE_COMMAND} -DNPM=${NPM} -DOUTPUT=${page_output} -DSOURCE=${page_folder} -DWEB=${page_web} -P ${page_folder}/build.cmake
-    DEPENDS ${page_folder}/build.cmake ${page_folder}/package.json ${page_folder}/package-lock.json ${page_files}
+    DEPENDS ${page_folder}/build.cmake ${page_folder}/package.json ${page_folder}/package-lock.json ${page_glossary} ${page_files}
     COMMENT "Building the panel's page"
     VERBATIM)
   add_library(mate_bridge_page OBJECT ${page_output})
@@ -52,7 +53,7 @@ endif()
 if(missing STREQUAL "")
   set(ENV{NODE_PATH} ${folder}/node_modules)
   execute_process(
-    COMMAND ${folder}/node_modules/.bin/esbuild ${SOURCE}/panel.js ${SOURCE}/panel.css --bundle --minify --format=iife --alias:naocal=${WEB}
+    COMMAND ${folder}/node_modules/.bin/esbuild ${SOURCE}/panel.js ${SOURCE}/panel.css --bundle --minify --format=iife --alias:naocal=${WEB} --loader:.md=text
             --target=chrome123,firefox120,safari17.5 --outdir=${folder} --log-level=warning --legal-comments=inline
     RESULT_VARIABLE failed)
   if(failed)

@@ -43,6 +43,12 @@ let chosen = commands[0], further = "", told = null, fresh = () => {};
 
 on("errand", message => { told = message; fresh(); });
 
+/** Selects a command by its name. @param {string} name */
+export function chooseCommand(name) {
+  chosen = commands.find(one => one.name === name) ?? chosen;
+  further = "";
+}
+
 const keyOf = field => chosen.name + "/" + field.label;
 const valueOf = field => typed.get(keyOf(field)) ?? (field.check ? false : field.options ? field.options[0] : field.value);
 

@@ -13,6 +13,7 @@ import {showUserEffect} from "./analysis/user-effect.js";
 import {showLink} from "./bridge-status.js";
 import {showTools} from "./command-runner.js";
 import {connect, on} from "./core/connection.js";
+import {explainAlways} from "./core/glossary.js";
 import {offerViews} from "./core/session-export.js";
 import {notice, onNotice, state} from "./core/state.js";
 import {hasCalibration, leaveCalibrate, calibrationSummary, onMessage as onCalibrateMessage, showCalibrate} from "./robots/calibrate.js";
@@ -21,10 +22,14 @@ import {refreshStop} from "./robots/controls.js";
 import {followAll, stateKey} from "./robots/health.js";
 import {leaveLive, onMessage as onLiveMessage, showLive} from "./robots/live.js";
 import {onMessage as onRobotMessage, selectedRobot} from "./robots/robots.js";
+import {endUpload, onUpload, takeDrops} from "./start/drop.js";
+import {showHome} from "./start/home.js";
+import {refreshTour, startTour} from "./start/tour.js";
 
 
 // `kinds`: messages after which a view is redrawn; `worked`: called when the bridge starts or ends a task.
 const views = [
+  {id: "home", name: "Home", show: showHome, worked: showHome, kinds: ["start", "robot", "robotGone"]},
   {id: "compare", name: "Compare", show: showCompare, kinds: ["fit"], analysis: true},
   {id: "learn", name: "Learn", show: showLearn, kinds: ["fit", "questions"], analysis: true},
   {id: "map", name: "Map", show: parent => showMap(parent, go), kinds: ["fit", "questions"], analysis: true},
@@ -37,9 +42,10 @@ const views = [
   {id: "keys", name: "Configuration", show: showKeys, kinds: []},
   {id: "tools", name: "Tools", show: showTools, kinds: []},
 ];
-const keyed = ["1", "2", "3", "4", "5", "6", "7", "8", "9", "0", "t"]; // keyboard shortcuts of the views
+const keyed = ["h", "1", "2", "3", "4", "5", "6", "7", "8", "9", "0", "t"]; // keyboard shortcuts of the views
 /** @type {any} */
 let current;
+let hasRobots = false; // whether the bridge has robots
 let complete = false; // whether all data of the analysis views have arrived
 
 function go(id) {
@@ -48,7 +54,8 @@ function go(id) {
 }
 
 function open() {
-  const wanted = views.find(({id}) => id === location.hash.slice(1)) || (state.analysis ? views[0] : views.find(({id}) => id === "match"));
+  const first = state.analysis ? "compare" : hasRobots ? "match" : "home";
+  const wanted = views.find(({id}) => id === location.hash.slice(1)) || views.find(({id}) => id === first);
   if (current !== wanted && current && current.leave) current.leave();
   const arrived = current !== wanted;
   current = wanted;
@@ -57,7 +64,10 @@ function open() {
     else tab.removeAttribute("aria-current");
   }
   document.title = current.name + " – naocal panel";
+  at("menu").textContent = current.name;
+  toggleMenu(false);
   at("model").hidden = !(current.analysis && state.analysis);
+  document.body.classList.toggle("laddered", !at("model").hidden);
   /** @type {HTMLElement} */ (document.querySelector("main")).classList.toggle("wide", at("model").hidden);
   draw();
   if (!arrived) return;
@@ -72,21 +82,39 @@ function showTab() {
 }
 addEventListener("resize", showTab);
 
+// In narrow windows the tabs are a menu.
+function toggleMenu(open) {
+  at("tabs").classList.toggle("open", open);
+  at("menu").setAttribute("aria-expanded", String(open));
+}
+at("menu").addEventListener("click", () => {
+  toggleMenu(!at("tabs").classList.contains("open"));
+  at("tabs").querySelector("[aria-current]")?.focus({preventScroll: true});
+});
+document.addEventListener("click", event => { if (!at("tabs").contains(event.target) && event.target !== at("menu")) toggleMenu(false); });
+
 function draw() {
+  drawView();
+  refreshTour();
+}
+
+function drawView() {
   const view = at("view");
   complete = Boolean(state.fit && state.set && state.ladder);
   if (!current.analysis) current.show(view);
   else if (!state.analysis) {
-    view.replaceChildren(empty("No captures are open", "Start ", element("code", {}, "mate-bridge captures/"), " with a capture set, a result or a diagnosis, or open one in ",
-      button("Files", () => go("files"), {class: "small"}), "."));
-  } else if (state.unfitted) view.replaceChildren(empty("These captures could not be fitted", state.unfitted.sentence.replace(/\.?$/, ". ") + "Remove what it names from the model or the captures, then open them again in ",
-    button("Files", () => go("files"), {class: "small"}), "."));
+    view.replaceChildren(empty(state.work ? "Opening captures" : "No captures are open", state.work ? "This takes a few seconds." : "Open a capture set, a result or a diagnosis, or take the tour on a sample.",
+      ...state.work ? [] : [nextSteps(button("Open captures", () => go("home"), {class: "main"}), button("Take the tour", startTour))]));
+  } else if (state.unfitted) view.replaceChildren(empty("These captures could not be fitted", state.unfitted.sentence.replace(/\.?$/, ". ") + "Remove what it names from the model or the captures, then open them again.",
+    nextSteps(button("Open captures", () => go("home"), {class: "main"}))));
   else if (!complete) view.replaceChildren(empty("Fitting", "The first fit takes less than a second for thirty poses."));
   else if (awaitsAnswers() && state.earlier) showEarlier(view);
   else current.show(view);
   if (!awaitsAnswers()) view.classList.remove("earlier");
   if (!at("model").hidden) showModel(at("model"));
 }
+
+const nextSteps = (...buttons) => element("span", {class: "controls next-steps"}, ...buttons);
 
 // Whether the view needs results for this model that the bridge is still computing.
 const awaitsAnswers = () => Boolean(current && current.analysis && complete && current.kinds.includes("questions") && !state.questions && !state.unfitted);
@@ -131,7 +159,13 @@ function redraw(kind) {
   if (current.kinds.includes(kind) || (current.analysis && !complete)) draw();
   else if (!at("model").hidden) showModel(at("model"));
 }
-on("hello", ({analysis}) => { // the analysis messages follow
+on("start", message => {
+  state.start = message;
+  if (current?.kinds.includes("start")) draw();
+  else refreshTour();
+});
+on("hello", ({analysis, robots}) => { // the analysis messages follow
+  hasRobots = robots.length > 0;
   forget([...analysisKinds, "earlier"]);
   state.analysis = analysis;
   open();
@@ -163,17 +197,20 @@ for (const kind of ["robot", "robotGone", "list", "mounts", "keys", "update", "p
   });
 }
 
-let fading = 0;
-onNotice((sentence, kind) => {
+let fading = 0, noticed = ""; // noticed: cause of the notice
+const hideNotice = () => { at("notice").hidden = true; };
+onNotice((sentence, kind, cause) => {
+  noticed = cause;
   at("notice").hidden = false;
   at("notice").className = kind;
-  at("notice").replaceChildren(element("span", {}, sentence), button("OK", () => { at("notice").hidden = true; }, {class: "small"}));
+  at("notice").replaceChildren(element("span", {}, sentence), button("OK", hideNotice, {class: "small"}));
   clearTimeout(fading);
-  if (kind === "news") fading = setTimeout(() => { at("notice").hidden = true; }, 8000);
-});
+  if (kind === "news") fading = window.setTimeout(hideNotice, 8000);
+}, cause => { if (cause === noticed) hideNotice(); });
 
 document.addEventListener("keydown", event => {
   if (event.ctrlKey || event.metaKey || event.altKey || /^(INPUT|SELECT|TEXTAREA)$/.test(/** @type {Element} */ (event.target).tagName)) return;
+  if (event.key === "Escape") toggleMenu(false);
   if (event.key === "?") showHelp();
   const place = keyed.indexOf(event.key) + 1;
   if (place >= 1) go(views[place - 1].id);
@@ -185,7 +222,7 @@ document.addEventListener("keydown", event => {
 function showHelp() {
   const row = (key, words) => element("tr", {}, element("td", {}, element("kbd", {}, key)), element("td", {}, words));
   at("keys").replaceChildren(element("h2", {}, "Keyboard shortcuts"), element("table", {class: "files"}, element("tbody", {}, row("s", "Stop: every calibration ends and its robot goes back to its stand"), ...views.map(({name}, i) => row(keyed[i], name)),
-    row("u", "undo the last change to the model"), row("r", "redo it"), row("?", "this list"), row("Esc", "close; discard an edited value"))),
+    row("u", "undo the last change to the model"), row("r", "redo it"), row("?", "this list"), row("Esc", "close; discard an edited value; end the tour"), row("← →", "step of the tour"))),
     element("p", {class: "controls"}, button("Close", () => at("keys").close(), {class: "main"})));
   at("keys").showModal();
 }
@@ -200,6 +237,12 @@ views.forEach((view, i) => {
 offerViews([...views.filter(({analysis}) => analysis).map(({name, show}) => ({name, show, shows: () => Boolean(state.analysis && state.fit && state.set && state.ladder)})),
   {name: "Model", show: showModel, shows: () => Boolean(state.fit && state.ladder)}, {name: "Calibrate", show: calibrationSummary, shows: hasCalibration}]);
 addEventListener("hashchange", open);
-const linked = connected => showLink(connected, () => { if (current && !current.analysis) draw(); });
+const linked = connected => showLink(connected, () => {
+  endUpload();
+  if (current && !current.analysis) draw();
+});
 linked(false);
+takeDrops();
+onUpload(() => { if (current?.id === "home") draw(); });
+explainAlways([at("view"), at("model")]);
 connect(linked);

@@ -1,5 +1,6 @@
 // Model panel beside every analysis view: error ladder, effects, undo, search.
 import {button, csv, download, element, renew} from "naocal/lib/dom.js";
+import {px} from "naocal/lib/format.js";
 import {errorLadder} from "naocal/plots/error-ladder.js";
 import {act, state} from "../core/state.js";
 
@@ -9,7 +10,15 @@ export function showModel(parent) {
     parent.replaceChildren(element("p", {class: "soft"}, state.unfitted ? "There is no fit." : "Fitting the first model …"));
     return;
   }
-  renew(parent, element("h2", {}, "Ladder of errors ", button("CSV", () => saveLadder(ladder), {class: "small", "aria-label": "save as CSV: ladder of errors"})), ladderOf(ladder), historyButtons(ladder), modelOf(fit), search());
+  renew(parent, strip(parent, ladder), element("h2", {}, "Ladder of errors ", button("CSV", () => saveLadder(ladder), {class: "small", "aria-label": "save as CSV: ladder of errors"})), ladderOf(ladder), historyButtons(ladder), modelOf(fit), search());
+}
+
+// In narrow windows the panel is folded to this strip, which stays in sight.
+function strip(parent, ladder) {
+  const {rms, heldOut, floor} = ladder.rungs[ladder.at], isOpen = parent.classList.contains("open");
+  const fold = button(isOpen ? "Fold" : "Model", () => { parent.classList.toggle("open"); showModel(parent); }, {class: "small", id: "foldModel", "aria-expanded": String(isOpen), title: "ladder and effects of the model"});
+  return element("div", {class: "strip"}, element("b", {}, px(heldOut ?? rms)), element("span", {class: "soft"}, (heldOut === undefined || heldOut === null ? "fitted" : "held out") + (floor ? "; noise floor " + px(floor) : "")),
+    button("Undo", () => undo(ladder), {class: "small", disabled: !canUndo(ladder), "aria-label": "undo"}), button("Redo", () => redo(ladder), {class: "small", disabled: !canRedo(ladder), "aria-label": "redo"}), fold);
 }
 
 // Converts the bridge's ladder for errorLadder; unknown numbers become null.

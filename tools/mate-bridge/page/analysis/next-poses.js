@@ -21,9 +21,10 @@ on("stand", message => {
 export function showNext(parent) {
   const {next} = state, again = () => showNext(parent);
   const wanted = choice("How many", [1, 2, 4, 6, 8].map(value => ({value: String(value), text: String(value)})), String(count), value => { count = Number(value); }, "howMany");
+  const suggest = () => button("Suggest poses", () => act({do: "propose", count}), {class: "main", disabled: Boolean(state.work)});
   const head = [element("h1", {}, "What to measure next"), element("p", {class: "soft"}, "Stable poses in sight of the boards, chosen to answer best what this model leaves open."),
-    element("p", {class: "controls"}, wanted, button("Suggest poses", () => act({do: "propose", count}), {class: "main", disabled: Boolean(state.work)}))];
-  if (!next) renew(parent, ...head, empty("No poses suggested yet", "This takes some seconds."));
+    element("p", {class: "controls"}, wanted, next ? suggest() : null)];
+  if (!next) renew(parent, ...head, empty("No poses suggested yet", "They are compared by what they would tell, which takes some seconds.", element("span", {class: "controls next-steps"}, suggest())));
   else if (!next.poses.length) renew(parent, ...head, empty("There are none to suggest", next.whyNone || "These captures leave no question open."));
   else renew(parent, ...head, element("p", {}, "Why these: taking pictures in them ", element("b", {}, next.why), next.growth > 1 ? ". The evidence for or against becomes " + next.growth.toFixed(1) + " times stronger." : "."), ...playing(next, again),
     element("div", {class: "grid"}, ...next.poses.map(pose => poseFigure(pose, next))));

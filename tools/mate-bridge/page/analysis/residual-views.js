@@ -24,6 +24,7 @@ export function showMap(parent, go) {
   const sections = views.filter(({about}) => about === "misfit").map(view => ({...view, parts: (view.show(questions, tools) ?? []).filter(part => part !== null)}))
     .filter(({parts}) => parts.length);
   parent.replaceChildren(element("h1", {}, title),
-    ...(questions.map.length ? [] : [empty("There is no map", "No joint of these captures moved enough for a curve.")]),
+    ...(questions.map.length ? [] : [empty("There is no map", "No joint of these captures moved enough for a curve.",
+      element("span", {class: "controls next-steps"}, button("Suggest poses that move them", () => go("next"), {class: "main"})))]),
     ...sections.flatMap(section => [...(section.title === title ? [] : [element("h2", {}, section.title)]), ...section.parts]));
 }

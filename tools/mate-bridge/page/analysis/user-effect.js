@@ -4,6 +4,13 @@ import {on, send} from "../core/connection.js";
 import {act, state} from "../core/state.js";
 
 const draft = {name: "kneeCable", at: "LKneePitch", correction: "a*sin(3*q) + b*abs(tau)", unknowns: "a rad 0.01\nb rad/Nm 0.005"};
+// Starting points: corrections that are 0 where their unknowns are 0.
+const starts = [
+  {text: "periodic in the angle", name: "gearRipple", correction: "a*sin(8*q) + b*(cos(8*q) - 1)", unknowns: "a rad 0.005\nb rad 0.005"},
+  {text: "grows with the torque, either way", name: "cable", correction: "b*abs(tau)", unknowns: "b rad/Nm 0.005"},
+  {text: "lags behind the motion", name: "friction", correction: "c*approach", unknowns: "c rad 0.005"},
+  {text: "drifts with the temperature", name: "warmth", correction: "w*(T - 40)", unknowns: "w rad/K 0.0005"},
+];
 let number = 0, recheck = () => {};
 /** @type {(answer: any) => void} */
 let showAnswer = () => {};
@@ -63,6 +70,7 @@ export function showUserEffect(parent) {
       ...["q", "qd", "tau", "approach", "T", "t", "current"].flatMap(name => [element("code", {}, name), " "]),
       "of that joint (angle [rad], speed [rad/s], torque [Nm], sense of approach, temperature [°C], time [s], current [A]), any joint by its name, ",
       element("code", {}, "tau_"), "JOINT, ", element("code", {}, "imu_x imu_y com_x com_y"), ", and sin, cos, abs, sqrt, exp, sign …"),
+    element("p", {class: "controls"}, "Start from: ", ...starts.map(({text: words, ...start}) => button(words, () => { Object.assign(draft, start); showUserEffect(parent); }, {class: "small"}))),
     element("div", {class: "form"},
       field("Name", "name", text),
       element("div", {class: "field"}, element("label", {for: "own-at"}, "At"), joints),

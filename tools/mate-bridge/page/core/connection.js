@@ -20,6 +20,13 @@ export function send(request) {
   return true;
 }
 
+// Sends a request with bytes behind it.
+export function sendBytes(request, bytes) {
+  if (!socket || socket.readyState !== WebSocket.OPEN) return false;
+  socket.send(new Blob([JSON.stringify(request) + "\n", bytes]));
+  return true;
+}
+
 export function connect(changed) {
   stateChanged = changed;
   socket = new WebSocket(location.href.replace(/^http/, "ws").replace(/#.*$/, "") + "live");

@@ -106,6 +106,24 @@ export interface RobotEntry {
   keys: Map<string, ListedKey[] | null>;
 }
 
+/** "start": what the start page offers. */
+export interface StartMessage {
+  recent: {paths: string[], name: string, folder: string, what: string, opened: number}[];
+  /** Why the list of recent files is not kept. */
+  problem: string;
+  /** Addresses of robots to look for. */
+  robots: string[];
+  search: {
+    searching: boolean;
+    searched: boolean;
+    listed: {address: string, state: "asking" | "answers" | "silent", sentence: string}[];
+    announced: {name: string, address: string}[];
+    note: string;
+  };
+  sample: {state: "none" | "making" | "made" | "failed", sentence: string};
+  robot: {state: "off" | "running" | "ending" | "failed", address: string, sentence: string};
+}
+
 /** Messages are null until the bridge has sent them; the panel shows a view of the captures only with set, ladder and fit. */
 export interface PanelState {
   analysis: boolean;
@@ -121,6 +139,7 @@ export interface PanelState {
   found: (Diagnosis & {stopped: boolean, with: string[]}) | null;
   next: NextMessage | null;
   compared: ComparedMessage | null;
+  start: StartMessage | null;
   /** The bridge's present task. */
   work: string | null;
   robots: Map<string, RobotEntry>;

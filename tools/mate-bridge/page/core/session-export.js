@@ -47,7 +47,7 @@ function still(parent) {
   [...copy.querySelectorAll("select")].forEach((select, i) => select.replaceWith(choices[i].selectedOptions[0]?.text || ""));
   const fields = [...parent.querySelectorAll("input[type=text], textarea")];
   [...copy.querySelectorAll("input[type=text], textarea")].forEach((field, i) => field.replaceWith(element("code", {}, fields[i].value)));
-  for (const part of copy.querySelectorAll("button, input, textarea, .save, .ring, .paths, progress")) {
+  for (const part of copy.querySelectorAll("button, input, textarea, .save, .ring, .paths, .strip, progress")) {
     if (part.matches("button.plain, .rung")) part.replaceWith(element("span", {class: part.className}, ...part.childNodes));
     else part.remove();
   }

@@ -1,7 +1,7 @@
 // Calibrate view: calibration kind, upcoming poses, progress, live pictures, outcome, undo.
-import {element, empty, renew} from "naocal/lib/dom.js";
+import {button, element, empty, renew} from "naocal/lib/dom.js";
 import {on, send} from "../core/connection.js";
-import {act, notice, of, valueOf} from "../core/state.js";
+import {act, endNotice, notice, of, valueOf} from "../core/state.js";
 import {want} from "../core/subscriptions.js";
 import {cameraAt, cameraKeys} from "./camera.js";
 import {capturesKey, capturesOf, thumbnails} from "./captures.js";
@@ -15,6 +15,7 @@ import {standingFigure} from "./stance.js";
 const kindsKey = "Brain.calibrationKinds", posesKey = "Brain.calibrationPoses"; // {round, step, poses: [{name, angles}]}
 
 let parentShown = null, shownRobot = null, cameras = [], parts = null, drawings = [];
+let isOver = null; // whether the outcome is shown first
 
 export function showCalibrate(parent) {
   const before = shownRobot;
@@ -53,9 +54,11 @@ function content() {
   const floor = floorFigure(() => of(shownRobot).scene);
   drawings = [stance, floor];
   parts = Object.fromEntries(["steer", "progress", "after", "outcome", "offsets", "captures", "nextWords", "poses"].map(name => [name, element("div")]));
-  const left = can ? [parts.steer, parts.progress, parts.poses] : [empty("This robot does not calibrate itself",
-    "It serves no " + stateKey + "; naocal-robot does. Its cameras and values can still be seen.")];
-  return [element("div", {class: "split match"}, element("div", {}, ...left, parts.outcome, parts.after, parts.offsets),
+  const none = can ? [] : [empty("This robot does not calibrate itself", "It serves no " + stateKey + "; naocal-robot does. Its cameras and values can still be seen.",
+    element("span", {class: "controls next-steps"}, button("See it live", () => { location.hash = "live"; }, {class: "main"})))];
+  isOver = null;
+  parts.left = element("div", {}, ...none, ...(can ? inOrder(false) : [parts.outcome, parts.after, parts.offsets]));
+  return [element("div", {class: "split match"}, parts.left,
     element("div", {}, element("div", {class: "cameras beside"}, ...cameras.map(({camera}) => element("figure", {class: "camera"}, element("b", {}, camera.canvas.getAttribute("aria-label")), camera.canvas, camera.caption, camera.rests))),
       element("p", {class: "keys soft"}, element("span", {class: "key measured"}), " corner, ", element("span", {class: "key predicted"}), " where the current calibration predicts it"),
       element("div", {class: "cameras beside"}, element("div", {}, element("h2", {}, "Posture"), parts.nextWords, stance),
@@ -63,11 +66,23 @@ function content() {
           element("span", {class: "key bottomView"}), " of the bottom camera; ", element("span", {class: "key weight"}), " centre of mass"))))), parts.captures];
 }
 
+// Parts of the left column: after a run its outcome comes first, otherwise what to do.
+const inOrder = over => [...(over ? ["progress", "outcome", "after", "offsets", "steer", "poses"] : ["steer", "progress", "poses", "outcome", "after", "offsets"])].map(name => parts[name]);
+
+function putInOrder(state) {
+  const over = Boolean(state) && ["finished", "failed"].includes(state.phase);
+  if (over === isOver || !parts.left.contains(parts.steer)) return;
+  if (over && isOver !== null) scrollTo(0, 0); // the run has just ended
+  isOver = over;
+  parts.left.append(...inOrder(over));
+}
+
 function draw() {
   if (!parentShown || !parts) return;
   const entry = entryOf(shownRobot), state = valueOf(shownRobot, stateKey), player = valueOf(shownRobot, playerKey);
   const told = valueOf(shownRobot, outcomeKey), isRunning = running(state ? state.phase : "idle");
   const {before, mountsBefore} = of(shownRobot), captures = capturesOf(shownRobot), now = entry.keys.get(offsetsMount), mounts = entry.keys.get(mountsMount);
+  putInOrder(state);
   steer({robot: shownRobot, entry, state, player, isRunning, kinds: valueOf(shownRobot, kindsKey), draw, when});
   when("progress", [state, player && player.reason, player && player.held], () => state ? progress(state, player) : [element("p", {class: "soft"}, "Waiting for the robot's state …")]);
   const [offsetsBefore, cameraBefore] = [beforeIn(told, offsetsMount, before), beforeIn(told, mountsMount, mountsBefore)];
@@ -156,7 +171,8 @@ function updated(robot, values, isShown) {
       if (robot === shownRobot && old && running(old.phase)) restWhenDone();
       if (old && old.sentence !== value.sentence && !running(value.phase)) [offsetsMount, mountsMount].forEach(mount => act({do: "keys", robot, mount})); // reads back the present values
     }
-    if (key === playerKey && value.held && !(old && old.held) && !isShown) notice(nameOf(robot) + ": " + (value.reason || "Hold it by its trunk: its eyes are yellow."));
+    if (key === playerKey && value.held && !(old && old.held) && !isShown) notice(nameOf(robot) + ": " + (value.reason || "Hold it by its trunk: its eyes are yellow."), "hold " + robot);
+    if (key === playerKey && !value.held) endNotice("hold " + robot);
   }
 }
 

@@ -1,5 +1,5 @@
 // Controls of a calibration: start, confirm, undo, save, export, stop.
-import {at, button, confirmation, element} from "naocal/lib/dom.js";
+import {at, button, confirmation, element, question as dialog} from "naocal/lib/dom.js";
 import {saveSession} from "../core/session-export.js";
 import {act, of, say, valueOf} from "../core/state.js";
 import {running, stateKey} from "./health.js";
@@ -53,7 +53,7 @@ function choice(kinds, known, connected, changed) {
 }
 
 // Shows the robot's question with a Confirm button.
-const ask = (robot, {question, questionNumber}) => element("div", {class: "confirm asks", role: "alert"},
+const ask = (robot, {question, questionNumber}) => dialog({class: "confirm asks", role: "alertdialog", "aria-label": "question of the robot"}, null,
   element("p", {}, element("b", {}, "The robot asks: "), question),
   element("p", {class: "controls"}, button("Confirm", () => set(robot, runner, "confirmed", questionNumber), {class: "main"}),
     element("span", {class: "soft"}, "or press its chest button")));

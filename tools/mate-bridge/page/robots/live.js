@@ -1,5 +1,5 @@
 // Live view: both cameras, and plots of values over time.
-import {choice, element, empty, renew} from "naocal/lib/dom.js";
+import {button, choice, element, empty, renew} from "naocal/lib/dom.js";
 import {want} from "../core/subscriptions.js";
 import {cameraAt, cameraKeys} from "./camera.js";
 import {entryOf, nameOf, refreshBar, robotBar, robots, selectedRobot, whyNothing} from "./robots.js";
@@ -77,7 +77,7 @@ function keyList(values) {
 function plots() {
   const part = element("div", {class: "plots"});
   forgetFigures();
-  if (!plotted.size) part.append(empty("Nothing is plotted", "Choose values on the left, as many as you like."));
+  if (!plotted.size) part.append(empty("Nothing is plotted", "Choose values on the left, as many as you like.", ...usual()));
   for (const key of plotted) {
     const figure = new Plotted(key, () => { plotted.delete(key); again(); });
     part.append(figure.figure);
@@ -85,6 +85,13 @@ function plots() {
   }
   requestDraw(); // draws the stored history
   return part;
+}
+
+// Button that plots the joints' angles, where the robot lists them.
+function usual() {
+  const key = "Motion.angles";
+  if (!entryOf(shownRobot).list.some(one => one.key === key)) return [];
+  return [element("span", {class: "controls next-steps"}, button("Plot the joint angles", () => { plotted.add(key); again(); }, {class: "main"}))];
 }
 
 const follow = () => want("live", parentShown && shownRobot, [...plotted, ...slots.map(({key}) => key).filter(Boolean)]);

@@ -35,6 +35,29 @@ export function nameOf(robot) {
   return name && [...robots.keys()].every(other => other === robot || headName(other) !== name) ? name : robot;
 }
 
+let awaitsSimulated = false; // a simulated robot that is to be shown
+/** Starts a simulated robot if none runs, and shows it in Calibrate. */
+export function simulateRobot() {
+  const robot = state.start?.robot;
+  if (robot?.state !== "running") awaitsSimulated = act({do: "startRobot"});
+  else showRobot(robot.address);
+}
+on("start", ({robot}) => {
+  if (!awaitsSimulated || robot.state !== "running") return;
+  awaitsSimulated = false;
+  showRobot(robot.address);
+});
+
+/** Shows a robot in Calibrate. @param {string} robot */
+export function showRobot(robot) {
+  lookAt(robot);
+  if (location.hash === "#match") dispatchEvent(new HashChangeEvent("hashchange")); // draws the view again
+  else location.hash = "match";
+}
+
+/** Selects a robot; it may be listed later. @param {string} robot */
+export const lookAt = robot => { looked = robot; };
+
 export const selectedRobot = () => robots.get(looked) ? looked : (robots.keys().next().value ?? null);
 
 // Returns false if no view needs a redraw (repeated lists are keep-alives).
@@ -118,11 +141,14 @@ function secretForm(robot) {
   }}, secret, element("button", {type: "submit"}, "Send secret"));
 }
 
-// Reason why there is nothing to show: title and text; null if there is something.
-/** @returns {[string, string] | null} */
+// Reason why there is nothing to show: title, text and next steps; null if there is something.
+/** @returns {[string, ...(string | Node)[]] | null} */
 export function whyNothing() {
   const name = selectedRobot();
-  if (!name) return ["No robot yet", "Type a robot's name or address above: HOST, HOST:PORT with its base port (12440 unless it was changed), or the folder of its UNIX sockets."];
+  if (!name) {
+    return ["No robot yet", "Type a robot's name or address above: HOST, HOST:PORT with its base port (12440 unless it was changed), or the folder of its UNIX sockets.",
+      element("span", {class: "controls next-steps"}, button("Simulate a robot", simulateRobot, {class: "main"}), button("Look for robots", () => { location.hash = "home"; }))];
+  }
   const {connected, sentence, list} = entryOf(name);
   if (connected && !list.length) return [name + " shows nothing yet", "It lists no values. A robot reached over the network requires its secret first: type it above."];
   if (!connected && !list.length) return [name + " is not connected", name + " " + (sentence === "connecting" ? "is being connected …" : sentence + ". The panel retries every second.")];

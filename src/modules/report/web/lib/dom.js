@@ -104,16 +104,52 @@ export function keepingFocus(parent, draw) {
 /** @param {Element} parent @param {...(Node | string | null | undefined)} children */
 export const renew = (parent, ...children) => keepingFocus(parent, () => parent.replaceChildren(...present(children)));
 
+let opener = ""; // label of the button that opened the last dialog
+
 /**
- * Inline confirmation; `yes`: label of the confirming button, or the button itself.
+ * A dialog that opens and takes the focus as soon as it is in the page. It is not modal, for a Stop button outside must
+ * stay in reach: a shade covers what is below `--above`, Tab stays within, Escape calls `leave`. When it goes, the focus
+ * returns to the button that opened it.
+ * @param {Record<string, any>} properties
+ * @param {(() => void) | null} leave null: it can only be answered
+ * @param {...(Node | string)} children
+ */
+export function question(properties, leave, ...children) {
+  const dialog = element("dialog", {...properties, onkeydown: (/** @type {KeyboardEvent} */ event) => {
+    const parts = /** @type {HTMLElement[]} */ ([...dialog.querySelectorAll("button:not(:disabled), input")]), place = parts.indexOf(/** @type {any} */ (document.activeElement));
+    if (event.key === "Escape" && leave) leave();
+    else if (event.key === "Tab" && parts.length) parts[(place + (event.shiftKey ? parts.length - 1 : 1)) % parts.length].focus();
+    else return;
+    event.preventDefault();
+    event.stopPropagation();
+  }}, ...children);
+  const before = document.activeElement;
+  if (!before?.closest("dialog")) opener = before?.textContent ?? "";
+  queueMicrotask(() => {
+    if (!dialog.isConnected) return;
+    dialog.show();
+    new MutationObserver((_, observer) => {
+      if (dialog.isConnected) return;
+      observer.disconnect();
+      if (document.activeElement === document.body && !document.querySelector("dialog[open]")) {
+        [...document.querySelectorAll("button")].find(one => one.textContent === opener)?.focus({preventScroll: true});
+      }
+    }).observe(document.body, {childList: true, subtree: true});
+  });
+  return dialog;
+}
+
+/**
+ * A dialog that asks for a confirmation, with the focus on "Not now"; `yes`: label of the confirming button, or the
+ * button itself.
  * @param {string | Node | (string | Node)[]} words
  * @param {string | Node} yes
  * @param {(() => void) | null} action
  * @param {() => void} no
  */
-export const confirmation = (words, yes, action, no) => element("div", {class: "confirm", role: "group", "aria-label": "confirm"},
+export const confirmation = (words, yes, action, no) => question({class: "confirm", "aria-label": "confirm"}, no,
   ...[words].flat().map(line => typeof line === "string" ? element("p", {}, line) : line),
-  element("p", {class: "controls"}, typeof yes === "string" ? button(yes, /** @type {any} */ (action), {class: "main"}) : yes, button("Not now", no)));
+  element("p", {class: "controls"}, typeof yes === "string" ? button(yes, /** @type {any} */ (action), {class: "main"}) : yes, button("Not now", no, {autofocus: true})));
 
 /** @param {string} title @param {...(string | Node)} words */
 export const empty = (title, ...words) => element("div", {class: "empty"}, element("h2", {}, title), element("p", {}, ...words));

@@ -3,7 +3,7 @@ import {at, copyBox, element} from "naocal/lib/dom.js";
 import {errorLadder} from "naocal/plots/error-ladder.js";
 import {views} from "naocal/views/views.js";
 import {showCandidates, untested} from "naocal/pages/candidates.js";
-import {readData, showHead} from "naocal/pages/head.js";
+import {readData, showContents, showHead} from "naocal/pages/head.js";
 
 /** @import {Diagnosis, Step} from "naocal/lib/types.js" */
 
@@ -40,3 +40,4 @@ if (data.next) at("next").textContent = data.next.poses
   ? data.next.poses + " poses are proposed in the diagnosis file: taking pictures in them " + data.next.why + "."
   : "naocal diagnose SET --next poses.json proposes poses: taking pictures in them " + data.next.why + ".";
 at("misfitViews").append(...sections("misfit"));
+showContents();

@@ -3,7 +3,7 @@ import {at, bold, choosing, element} from "naocal/lib/dom.js";
 import {colours, figure} from "naocal/lib/figure.js";
 import {axes} from "naocal/lib/axes.js";
 import {tenths} from "naocal/lib/format.js";
-import {readData, showHead} from "naocal/pages/head.js";
+import {readData, showContents, showHead} from "naocal/pages/head.js";
 
 const data = readData();
 
@@ -112,3 +112,4 @@ const offer = (id, label, offered, figuresOf, height, draw) => choosing(id, labe
 showHead({...data, verdict: "good"});
 at("success").append(offer("table", "Table", data.tables, table => table.cells, 250, drawSuccess));
 at("errors").append(offer("setting", "Setting", data.settings, setting => setting.joints, 230, drawErrors));
+showContents();

@@ -17,3 +17,13 @@ export function showHead({headline, facts, verdict, sentence, warnings}) {
   at("facts").append(...facts.map(fact => element("div", {}, element("dt", {}, fact.figure), element("dd", {}, fact.sentence))));
   at("warnings").append(...warnings.map(warning => element("li", {}, warning)));
 }
+
+/** Links to the sections of the page that are shown, below its head. */
+export function showContents() {
+  const titles = /** @type {HTMLElement[]} */ ([...document.querySelectorAll("main section h2")]).filter(title => !title.closest("[hidden]"));
+  const links = titles.map((title, i) => {
+    title.id ||= "section-" + (i + 1);
+    return element("a", {href: "#" + title.id}, title.textContent);
+  });
+  if (links.length > 2) at("verdict").after(element("nav", {id: "contents", "aria-label": "contents"}, ...links));
+}

@@ -9,7 +9,7 @@ import {errorGroups} from "naocal/plots/error-groups.js";
 import {estimates, titleOf} from "naocal/plots/estimates.js";
 import {residualField} from "naocal/views/residual-field.js";
 import {residualScatter} from "naocal/plots/residual-scatter.js";
-import {readData, showHead} from "naocal/pages/head.js";
+import {readData, showContents, showHead} from "naocal/pages/head.js";
 import {showPictures} from "naocal/pages/pictures.js";
 
 /** @import {Layer, Picture, Result} from "naocal/lib/types.js" */
@@ -107,3 +107,4 @@ at("fields").append(...overImage());
 at("poses").append(byPose());
 at("boards").append(byBoard());
 showTrends();
+showContents();
