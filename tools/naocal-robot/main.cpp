@@ -1,12 +1,12 @@
 #include "Hardware.hpp"
 #include "RobotProcess.hpp"
-#include "StateFolder.hpp"
 #include "data/BoardFile.hpp"
 #include "data/BoardListFile.hpp"
 #include "hardware/simulated/SimulatedPlan.hpp"
 #include "io/Failure.hpp"
 #include "io/Files.hpp"
 #include "io/InputError.hpp"
+#include "io/StateFolder.hpp"
 
 #include <CLI/CLI.hpp>
 #include <atomic>
