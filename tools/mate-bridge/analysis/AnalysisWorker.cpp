@@ -146,6 +146,7 @@ std::optional<std::string> AnalysisWorker::picture(std::string_view path) const 
 
 void AnalysisSlot::setDataset(Dataset opened) {
   const std::size_t number = number_ + 1;
+  const std::vector<std::string> moved = opened.moved;
   auto fresh =
       std::make_unique<AnalysisWorker>(std::move(opened), [this, number](const std::string& kind, std::string json) {
         later_([this, number, kind, told = makeMessage(std::move(json))] {
@@ -158,29 +159,39 @@ void AnalysisSlot::setDataset(Dataset opened) {
   number_ = number;
   latest_.clear();
   all_(makeMessage(R"({"kind": "opened"})"));
+  for (const std::string& sentence : moved) {
+    all_(makeMessage(jsonText({{"kind", "moved"}, {"sentence", sentence}})));
+  }
   if (worker_) { // finishes its current task, which may take seconds
     leaving_.enqueue([old = std::shared_ptr<AnalysisWorker>{std::move(worker_)}] {});
   }
   worker_ = std::move(fresh);
 }
 
-void AnalysisSlot::open(const std::vector<std::string>& paths,
-                        std::function<void(const std::string& problem)> refused) {
+void AnalysisSlot::open(const std::vector<std::string>& paths, std::function<void(const std::string& problem)> refused,
+                        const std::vector<std::filesystem::path>& lookIn) {
   tellWork("opening captures");
-  opening_.enqueue([this, paths, refused = std::move(refused)] {
+  opening_.enqueue([this, paths, lookIn, refused = std::move(refused)] {
     std::shared_ptr<Dataset> opened;
     std::string problem;
+    bool isMissing = false;
     try {
-      opened = std::make_shared<Dataset>(openDataset(paths));
+      opened = std::make_shared<Dataset>(openDataset(paths, lookIn));
+    } catch (const MissingCaptures& error) {
+      problem = error.what();
+      isMissing = true;
     } catch (const std::exception& error) {
       problem = error.what();
     }
-    later_([this, opened, problem, refused] {
+    later_([this, opened, problem, isMissing, paths, refused] {
       tellWork(nullptr);
       try {
         opened ? setDataset(std::move(*opened)) : refused(problem);
       } catch (const std::exception& error) {
         refused(error.what());
+      }
+      if (isMissing) {
+        all_(makeMessage(jsonText({{"kind", "missing"}, {"sentence", problem}, {"paths", paths}})));
       }
     });
   });
