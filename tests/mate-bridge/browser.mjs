@@ -31,6 +31,9 @@ export function check(truth, sentence) {
 // Checks that a promise resolves before its timeout.
 export const happens = (awaited, sentence) => awaited.then(() => check(true, sentence), error => check(false, sentence + ": " + error.message.split("\n")[0]));
 
+// Runs are recorded in a folder of the test, never in the user's.
+process.env.XDG_STATE_HOME = folder();
+
 // Starts a program that runs until `stop`; its first line of output contains the address.
 export async function started(program, ...options) {
   const child = spawn(program, options, {stdio: ["ignore", "pipe", "inherit"]});

@@ -1,6 +1,7 @@
 #include "Panel.hpp"
 
 #include "CommandRunner.hpp"
+#include "PanelHistory.hpp"
 #include "analysis/AnalysisWorker.hpp"
 #include "io/InputError.hpp"
 #include "protocol/BoundedJson.hpp"
@@ -39,7 +40,8 @@ struct Panel::Implementation {
                {[this](std::string_view path) { return file(path); }, [this](std::size_t panel) { greet(panel); },
                 [this](std::size_t panel) { robots.removePanel(panel); },
                 [this](std::size_t panel, const std::string& text) { received(panel, text); }}},
-        runner{context, findNaocal(), [this](const std::string& json) { server.sendAll(makeMessage(json)); }} {
+        runner{context, findNaocal(), [this](const std::string& json) { server.sendAll(makeMessage(json)); }},
+        lookIn{std::move(options.lookIn)}, history{std::move(options.runs), historyCalls()} {
     signals.async_wait([this](boost::system::error_code, int) { context.stop(); });
     for (const std::string& robot : options.robots) {
       robots.connect(robot);
@@ -63,7 +65,17 @@ struct Panel::Implementation {
         [this](std::size_t panel, const std::string& json) { server.send(panel, makeMessage(json)); },
         [this](std::size_t panel, std::string json) { server.send(panel, makeMessage(std::move(json), false, true)); },
         [this](std::size_t panel, std::string bytes) { server.send(panel, makeMessage(std::move(bytes), true, true)); },
-        [this](std::function<void()> action) { boost::asio::post(context, std::move(action)); }};
+        [this](std::function<void()> action) { boost::asio::post(context, std::move(action)); },
+        [this](const std::string& robot, const Json& runs) { history.record(robot, runs); }};
+  }
+
+  PanelHistory::Callbacks historyCalls() {
+    return {[this](std::function<void()> action) { boost::asio::post(context, std::move(action)); },
+            [this](const Json& message) { server.sendAll(makeMessage(jsonText(message))); },
+            [this](const std::vector<std::string>& paths, const std::vector<std::filesystem::path>& folders) {
+              analysis.open(
+                  paths, [this](const std::string& why) { refuseAll(why); }, folders);
+            }};
   }
 
   HttpReply file(std::string_view path) const {
@@ -105,6 +117,18 @@ struct Panel::Implementation {
     server.send(panel, makeMessage(jsonText({{"kind", "refused"}, {"sentence", problem}})));
   }
 
+  void refuseAll(const std::string& problem) {
+    server.sendAll(makeMessage(jsonText({{"kind", "refused"}, {"sentence", problem}})));
+  }
+
+  /// The folders of the request's `lookIn`, then those of the program's options.
+  std::vector<std::filesystem::path> foldersToSearch(const Json& request) const {
+    const auto named = request.value("lookIn", std::vector<std::string>{});
+    std::vector<std::filesystem::path> folders{named.begin(), named.end()};
+    folders.insert(folders.end(), lookIn.begin(), lookIn.end());
+    return folders;
+  }
+
   void greet(std::size_t panel) {
     server.send(panel, hello());
     for (const auto& [kind, told] : analysis.latest()) {
@@ -112,6 +136,9 @@ struct Panel::Implementation {
     }
     robots.addPanel(panel);
     server.send(panel, makeMessage(runner.latest()));
+    if (history.isRecording()) {
+      history.refresh();
+    }
   }
 
   void received(std::size_t panel, const std::string& text) {
@@ -162,8 +189,9 @@ struct Panel::Implementation {
       bridge.server.send(panel, makeMessage(jsonText(content)));
     }
     void open() const {
-      bridge.analysis.open(at("paths"),
-                           [&bridge = bridge, panel = panel](const std::string& why) { bridge.refuse(panel, why); });
+      bridge.analysis.open(
+          at("paths"), [&bridge = bridge, panel = panel](const std::string& why) { bridge.refuse(panel, why); },
+          bridge.foldersToSearch(body));
     }
     void unwatch() const {
       if (WatchedRobot* const robot = robotIfThere()) {
@@ -197,6 +225,11 @@ struct Panel::Implementation {
         {"cancel", [](const Request& request) { request.worker().cancelSearch(); }},
         {"propose", [](const Request& request) { request.worker().proposePoses(request.at("count")); }},
         {"compare", [](const Request& request) { request.worker().compareWith(request.at("paths")); }},
+        {"history", [](const Request& request) { request.bridge.history.refresh(); }},
+        {"openRun",
+         [](const Request& request) {
+           request.bridge.history.open(request.at("id"), request.bridge.foldersToSearch(request.body));
+         }},
         {"make", [](const Request& request) { request.worker().generateFile(request.at("file")); }},
         // robots
         {"connect", [](const Request& request) { request.bridge.robots.connect(request.at("robot")); }},
@@ -229,7 +262,9 @@ struct Panel::Implementation {
   HttpServer server;
   CommandRunner runner;
   AnalysisSlot analysis{[this](std::function<void()> action) { boost::asio::post(context, std::move(action)); },
-                        [this](const Message& told) { server.sendAll(told); }}; // last: its threads post to the context
+                        [this](const Message& told) { server.sendAll(told); }};
+  const std::vector<std::filesystem::path> lookIn;
+  PanelHistory history; // last, with `analysis`: their threads post to the context
 };
 
 Panel::Panel(PanelOptions options) : implementation_{std::make_unique<Implementation>(std::move(options))} {}

@@ -3,6 +3,7 @@
 #include "analysis/Dataset.hpp"
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -12,9 +13,11 @@
 namespace naocal {
 
 struct PanelOptions {
-  std::optional<Dataset> opened;   // initial dataset; absent: none
-  std::vector<std::string> robots; // initial robots: addresses
-  std::uint16_t port = 0;          // on 127.0.0.1; 0: any free one
+  std::optional<Dataset> opened;                  // initial dataset; absent: none
+  std::vector<std::string> robots;                // initial robots: addresses
+  std::uint16_t port = 0;                         // on 127.0.0.1; 0: any free one
+  std::filesystem::path runs = {};                // folder of recorded runs; empty: none are read or recorded
+  std::vector<std::filesystem::path> lookIn = {}; // searched for captures that were moved
 };
 
 /// The complete bridge: server, analysis of captures, robots. Runs until `stop`.
