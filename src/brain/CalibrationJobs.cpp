@@ -44,12 +44,15 @@ CalibrationRound legRound(const std::deque<LegRoundPlanner>& legs, RoundOptions 
 
 } // namespace
 
-CalibrationJobs::CalibrationJobs(CalibrationContext context) : context_{std::move(context)} {
+CalibrationJobs::CalibrationJobs(CalibrationContext context)
+    : context_{std::move(context)}, runs_{context_.runs, context_.configuration} {
   saveCalibrationTogether(context_.configuration);
+  worker_.enqueue([this] { runs_.publishNewest(); });
 }
 
-void CalibrationJobs::begin(std::filesystem::path folder) {
+void CalibrationJobs::begin(std::filesystem::path folder, std::string kind) {
   folder_ = std::move(folder);
+  kind_ = std::move(kind);
   sessions_ = {};
   give([this, folder = folder_](bool&) {
     before_ = readConfiguredCalibration(context_.configuration);
@@ -128,7 +131,7 @@ void CalibrationJobs::solve(bool onlyHead) {
 }
 
 void CalibrationJobs::check() {
-  give([this, session = sessions_[1], abandoned = abandoned_.load()](bool& isLasting) {
+  give([this, session = sessions_[1], folder = folder_, kind = kind_, abandoned = abandoned_.load()](bool& isLasting) {
     const CalibrationRecorder::ErrorComparison error =
         session->session.value().compareErrors(before_, readConfiguredCalibration(context_.configuration));
     isLasting = abandoned == abandoned_ && error.after <= maxRemainingError * error.before;
@@ -138,6 +141,10 @@ void CalibrationJobs::check() {
     }
     putBackUnsaved();
     isChecked_ = true;
+    runs_.recordCalibration({kind, folder, error,
+                             isLasting                                              ? RunOutcome::kept
+                             : abandoned == abandoned_ && error.before <= goodError ? RunOutcome::unneeded
+                                                                                    : RunOutcome::takenBack});
     return CheckedCalibration{error, isLasting};
   });
   give([this, session = sessions_[0]](bool&) -> std::optional<JobResult> {
@@ -173,10 +180,16 @@ void CalibrationJobs::abandon() {
 
 void CalibrationJobs::undo() {
   give([this](bool& isLasting) {
+    const std::map<std::string, double> before = readConfiguredOffsets(context_.configuration);
     undoCalibration(context_.configuration);
     isLasting = true;
+    runs_.recordUndo(before);
     return CalibrationUndone{};
   });
+}
+
+void CalibrationJobs::recordFall() {
+  worker_.enqueue([this] { runs_.recordFall(); });
 }
 
 void CalibrationJobs::finish() {

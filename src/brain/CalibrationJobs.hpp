@@ -1,6 +1,7 @@
 #pragma once
 
 #include "brain/CalibrationRecorder.hpp"
+#include "brain/CalibrationRuns.hpp"
 #include "brain/CalibrationScript.hpp"
 #include "brain/CalibrationStatus.hpp"
 #include "framework/configuration/Configuration.hpp"
@@ -31,7 +32,11 @@ struct CalibrationContext {
   Configuration& configuration;     // target of applied and saved results
   std::filesystem::path files;      // configuration folder, copied into recordings; has poses/V6.json, models/V6.json
   std::filesystem::path recordings; // parent folder; one new folder per calibration
+  RunRecording runs = {};           // where calibrations, undos and falls are recorded
 };
+
+inline constexpr double goodError =
+    1.5; // [px]; about 2 cm on the floor at 2 m; up to it a robot counts as well calibrated
 
 /// Runs the slow jobs of a calibration on a worker thread, so that no cycle waits: planning ways between poses,
 /// detecting boards, writing captures, solving, applying, comparing. Calls return at once and run in the order of
@@ -44,9 +49,9 @@ public:
   ~CalibrationJobs() { finish(); }
   const CalibrationContext& context() const { return context_; }
 
-  /// Begins a calibration with output folder `folder`; copies the configuration into it and records the current
-  /// calibration as the baseline.
-  void begin(std::filesystem::path folder);
+  /// Begins a calibration of this kind with output folder `folder`; copies the configuration into it and records the
+  /// current calibration as the baseline.
+  void begin(std::filesystem::path folder, std::string kind);
   const std::filesystem::path& folder() const { return folder_; }
 
   /// Poses on one foot at a time: from `asked` (a pose file's content), or from the configuration's pose file if
@@ -74,6 +79,8 @@ public:
   void abandon();
   /// Undoes the last saved calibration.
   void undo();
+  /// Records that the robot has fallen.
+  void recordFall();
   /// Waits until all jobs are done; an applied, unsaved calibration stays in effect.
   void finish();
 
@@ -101,6 +108,8 @@ public:
   std::optional<JobResult> takeResult();
   /// All captures processed so far, in order; nullptr if none were added since the last call.
   const std::vector<PublishedCapture>* takeProcessed();
+  /// The newest runs of this robot; nullptr if none were added since the last call.
+  const PublishedRuns* takeRuns() { return runs_.take(); }
 
 private:
   /// A round's recording; created and used by the worker only.
@@ -123,6 +132,7 @@ private:
 
   CalibrationContext context_;
   std::filesystem::path folder_;
+  std::string kind_;
   std::atomic<std::uint64_t> abandoned_{0};        // number of abandoned calibrations
   std::optional<std::string> keysToPutBack_;       // worker only; set while an applied calibration is unsaved
   StoredResult before_;                            // worker only
@@ -132,6 +142,7 @@ private:
   std::deque<QueuedResult> results_;
   Latest<ProcessedCaptures> processed_;
   ProcessedCaptures processedSoFar_;       // worker only
+  CalibrationRuns runs_;                   // worker only, except takeRuns
   Worker worker_{Worker::AtEnd::allTasks}; // last: uses the members above
 };
 

@@ -50,7 +50,7 @@ CalibrationRecorder::Solution CalibrationRecorder::solve() const {
   const auto [asked, leftOut] = reduceModel(measurements, model_);
   const Model model = buildModel(measurements, asked.with, asked.without, asked.effects);
   const CalibrationResult result = calibrate(measurements, model);
-  const ResultSources inputs{{folder_.string()}, {sha256(readFile(folder_ / "captures.json"))}};
+  const ResultSources inputs{{"."}, {sha256(readFile(folder_ / "captures.json"))}, {set_.name}}; // beside the result
   writeAtomically(folder_ / "result.json", resultJson({measurements, model, result}, inputs).dump(2) + "\n");
   if (!result.converged) {
     throw InputError{

@@ -15,8 +15,6 @@ namespace {
 
 using Phase = CalibrationState::Phase;
 
-constexpr double goodError = 1.5; // [px]; about 2 cm on the floor at 2 m; up to it a robot counts as well calibrated
-
 std::string kindNames() {
   std::string names;
   for (const CalibrationKind& kind : calibrationKinds()) {
@@ -60,7 +58,7 @@ void CalibrationRunner::start(const CalibrationKind& kind) {
   state_ = CalibrationState{.kind = kind.run, .questionNumber = state_->questionNumber};
   const auto now = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
   const CalibrationContext& context = jobs_.context();
-  jobs_.begin(context.recordings / fmt::format("{:%Y-%m-%d_%H-%M-%S}", fmt::gmtime(now)));
+  jobs_.begin(context.recordings / fmt::format("{:%Y-%m-%d_%H-%M-%S}", fmt::gmtime(now)), kind.run);
   rounds_ = {};
   round_ = 0;
   poseTime_.reset();
@@ -110,6 +108,9 @@ void CalibrationRunner::cycle() {
     shownCaptures_.edit();
     shownOutcome_.edit();
   }
+  if (cycles_ % 300 == 0) {
+    runs_.edit();
+  }
   watchPlayer();
   takeResults();
   follow(*look_);
@@ -131,11 +132,14 @@ void CalibrationRunner::cycle() {
 
 void CalibrationRunner::watchPlayer() {
   if (const PlayerState* update = playerUpdates_->take()) {
-    const bool pressed = update->presses > player_.presses;
+    const bool pressed = update->presses > player_.presses, fell = update->falls > player_.falls;
     player_ = *update;
     playerKnown_ = true;
     if (pressed) {
       chestPressed();
+    }
+    if (fell) {
+      jobs_.recordFall();
     }
   }
   if (state_->isRunning() && player_.request == requests_ && !player_.reason.empty()) {
@@ -332,6 +336,9 @@ void CalibrationRunner::endRound() {
 }
 
 void CalibrationRunner::takeResults() {
+  if (const PublishedRuns* newest = jobs_.takeRuns()) {
+    runs_ = *newest;
+  }
   if (const std::vector<PublishedCapture>* processed = jobs_.takeProcessed()) {
     std::copy(processed->begin(), processed->end(), shownCaptures_.edit().begin());
   }

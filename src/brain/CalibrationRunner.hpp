@@ -89,6 +89,7 @@ private:
   Production<PublishedPoses> shownPoses_{*this, "calibrationPoses"};
   Production<std::vector<PublishedCapture>> shownCaptures_{*this, "calibrationCaptures"};
   Production<PublishedOutcome> shownOutcome_{*this, "calibrationOutcome"};
+  Production<PublishedRuns> runs_{*this, "calibrationRuns"};
 
   PlayerState player_;
   bool playerKnown_ = false;

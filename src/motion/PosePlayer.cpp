@@ -277,6 +277,7 @@ void PosePlayer::watch(const RobotState& state) {
   const auto hot = std::max_element(state.temperature.begin(), state.temperature.end());
   const bool isOut = stage_ == Stage::goingOut || stage_ == Stage::holding;
   if (tilt > *largestTilt_) {
+    ++state_.edit().falls;
     stop(Stage::fallen, fmt::format("The torso is tilted by {:.0f} degrees, so the motors are weak. Stand the robot up "
                                     "and start again.",
                                     tilt));

@@ -31,8 +31,10 @@ export function check(truth, sentence) {
 // Checks that a promise resolves before its timeout.
 export const happens = (awaited, sentence) => awaited.then(() => check(true, sentence), error => check(false, sentence + ": " + error.message.split("\n")[0]));
 
-const ownState = {}; // environment with a folder of its own for what panels keep
-const environment = () => ({...process.env, XDG_STATE_HOME: ownState.folder ??= folder(), ...ownState.more});
+// Runs, and what panels keep, are in a folder of the test, never in the user's.
+process.env.XDG_STATE_HOME = folder();
+const ownState = {}; // further variables of programs
+const environment = () => ({...process.env, ...ownState.more});
 /** Further variables of programs that are started later. */
 export const setEnvironment = more => { ownState.more = more; };
 

@@ -1,5 +1,5 @@
 // Drives naocal-robot with a simulated robot from the panel in a real browser: live pictures, a calibration of neck and
-// cameras and its undo, values over time, setting and saving a parameter, restart of the robot's process.
+// cameras, its undo and its history, values over time, setting and saving a parameter, restart of the robot's process.
 // Proves that panel, bridge and robot process work together, and saves screenshots of every view.
 // Usage: node robot.mjs NAOCAL-ROBOT MATE-BRIDGE NODE_MODULES CONFIGURATION PICTURES
 import {existsSync, readdirSync, readFileSync} from "node:fs";
@@ -75,6 +75,14 @@ await page.getByRole("button", {name: "Undo …"}).click();
 await page.getByRole("button", {name: /^Undo on/}).click();
 await happens(page.getByText("No offsets: joint readings are used as they are.").waitFor(), "undo takes the offsets back");
 await happens(page.waitForFunction(() => [...document.querySelectorAll("button")].find(one => one.textContent === "Undo …")?.disabled), "what was taken back cannot be taken back again");
+
+// The run came by the robot's socket: once, although two bridges of this user saw it, and with its undo.
+await tab("History");
+await happens(page.getByRole("cell", {name: /^kept, then undone/}).waitFor(), "the history has the calibration, and that it was undone");
+check(await page.locator("table.runs tbody tr").count() === 1, "it is listed once");
+check(/[\d.]+ px/.test(await page.locator("table.runs tbody tr").innerText()), "with its errors: " + (await page.locator("table.runs tbody tr").innerText()).replaceAll("\t", " "));
+await portrait(page, axe, pictures, "history-robot");
+await tab("Calibrate");
 
 // Stop ends a calibration on press, from any view; so does the key s, but not Ctrl+S.
 const begun = async () => {

@@ -4,6 +4,7 @@
 #include "TemporaryFolder.hpp"
 #include "io/Files.hpp"
 #include "robot/Robot.hpp"
+#include "runs/RunFolder.hpp"
 
 #include "Hardware.hpp"
 #include "RobotProcess.hpp"
@@ -84,6 +85,8 @@ struct DrivenProcess {
     return std::filesystem::exists(folder.path() / "state/location" / file);
   }
   Json saved(const std::string& file) const { return Json::parse(readFile(folder.path() / "state/location" / file)); }
+  /// The recorded runs.
+  std::vector<Run> runs() const { return RunFolder{runsIn(folder.path() / "state")}.read().runs; }
   /// Recording of the last calibration's first round.
   std::filesystem::path recording() const {
     std::filesystem::path newest;

@@ -2,6 +2,7 @@
 
 #include "dialects/SavedCalibration.hpp"
 #include "math/Angles.hpp"
+#include "runs/RobotHistory.hpp"
 
 #include <catch2/catch.hpp>
 #include <future>
@@ -56,8 +57,8 @@ TEST_CASE("both threads are wired with the shipped configuration") {
 
 TEST_CASE("a simulated robot calibrates neck and cameras, driven only through the sockets", "[robot]") {
   // Proves the whole workflow: started by SET, poses played, pictures paired and searched, solved, saved into the
-  // robot's own files, and validated with further pictures; a second calibration changes nothing. Shipped files are
-  // only read. The robot's offsets are at most one degree.
+  // robot's own files, and validated with further pictures; a second calibration changes nothing. Both are recorded as
+  // runs with the errors that were told. Shipped files are only read. The robot's offsets are at most one degree.
   SimulatedProcess simulated{SimulatedProcess::plan(1, radians(1))};
   const auto shipped = contents(simulated.folder.path() / "configuration");
   const json state = simulated.calibrated("head");
@@ -74,6 +75,17 @@ TEST_CASE("a simulated robot calibrates neck and cameras, driven only through th
   CHECK(again["sentence"].get<std::string>().find("The robot was well calibrated already") == 0);
   CHECK(simulated.saved("simulated/head/synthetic-1/Projection.json") == mounts);
   CHECK(contents(simulated.folder.path() / "configuration") == shipped);
+  const std::vector<Run> runs = simulated.runs();
+  REQUIRE(runs.size() == 2);
+  CHECK(runs[0].kind == "head");
+  CHECK(runs[0].outcome == RunOutcome::kept);
+  CHECK(runs[0].errorBefore == state["errorBefore"].get<double>());
+  CHECK(runs[0].errorAfter == state["errorAfter"].get<double>());
+  CHECK(runs[0].robot.body == "synthetic-1");
+  CHECK(runs[0].set.at("HeadPitch") == Approx(radians(offsets["headPitch"].get<double>())));
+  CHECK(runs[0].offsets.at("HeadPitch").sigma > 0);
+  CHECK(std::filesystem::exists(runs[0].result));
+  CHECK(runs[1].outcome == RunOutcome::unneeded);
 }
 
 TEST_CASE("a calibration of neck and cameras that does not help is taken back", "[robot]") {
@@ -91,6 +103,8 @@ TEST_CASE("a calibration of neck and cameras that does not help is taken back", 
   INFO(state.dump());
   REQUIRE(state["phase"] == "failed");
   CHECK(state["sentence"].get<std::string>().find("so the calibration was taken back") != std::string::npos);
+  REQUIRE(simulated.runs().size() == 1);
+  CHECK(simulated.runs().front().outcome == RunOutcome::takenBack);
   const char* file = "default/body/synthetic-4/JointCalibrationProvider.json";
   CHECK(simulated.isSaved(file) == saves);
   CHECK((!saves || simulated.saved(file)["headPitch"] == 0.0));
@@ -129,6 +143,11 @@ TEST_CASE("a simulated robot calibrates a leg on one foot, and what was saved ca
   CHECK(simulated.saved(body)["lHipYawPitch"] == simulated.saved(body)["rHipYawPitch"]);
   CHECK(simulated.calibrated("undo")["phase"] == "finished");
   CHECK(simulated.saved(body).empty());
+  const std::vector<RobotHistory> histories = makeHistories(simulated.runs());
+  REQUIRE(histories.size() == 1);
+  REQUIRE(histories.front().runs.size() == 1);
+  CHECK(histories.front().runs.front().undone);
+  CHECK(histories.front().joints.at("LKneePitch").size() == 1);
 
   const std::filesystem::path recording = simulated.recording().parent_path();
   CHECK(std::filesystem::exists(recording / "configuration/location/default/sdk.json"));

@@ -1,6 +1,7 @@
 #include "Panel.hpp"
 
 #include "CommandRunner.hpp"
+#include "PanelHistory.hpp"
 #include "analysis/AnalysisWorker.hpp"
 #include "io/InputError.hpp"
 #include "protocol/BoundedJson.hpp"
@@ -44,7 +45,8 @@ struct Panel::Implementation {
                 },
                 [this](std::size_t panel, const std::string& text) { received(panel, text); }}},
         runner{context, findProgram("naocal"), [this](const std::string& json) { server.sendAll(makeMessage(json)); }},
-        start{context, options.recentFiles, startCalls()} {
+        start{context, options.recentFiles, startCalls()}, lookIn{std::move(options.lookIn)},
+        history{std::move(options.runs), historyCalls()} {
     signals.async_wait([this](boost::system::error_code, int) { context.stop(); });
     for (const std::string& robot : options.robots) {
       robots.connect(robot);
@@ -69,13 +71,24 @@ struct Panel::Implementation {
         [this](std::size_t panel, const std::string& json) { server.send(panel, makeMessage(json)); },
         [this](std::size_t panel, std::string json) { server.send(panel, makeMessage(std::move(json), false, true)); },
         [this](std::size_t panel, std::string bytes) { server.send(panel, makeMessage(std::move(bytes), true, true)); },
-        [this](std::function<void()> action) { boost::asio::post(context, std::move(action)); }};
+        [this](std::function<void()> action) { boost::asio::post(context, std::move(action)); },
+        [this](const std::string& robot, const Json& runs) { history.record(robot, runs); }};
+  }
+
+  PanelHistory::Callbacks historyCalls() {
+    return {[this](std::function<void()> action) { boost::asio::post(context, std::move(action)); },
+            [this](const Json& message) { server.sendAll(makeMessage(jsonText(message))); },
+            [this](const std::vector<std::string>& paths, const std::vector<std::filesystem::path>& folders) {
+              analysis.open(
+                  paths, [this](const std::string& why) { refuseAll(why); }, [] {}, folders);
+            }};
   }
 
   StartPage::Calls startCalls() {
     return {[this](const std::string& json) { server.sendAll(makeMessage(json)); },
             [this](const std::vector<std::string>& paths) {
-              analysis.open(paths, [this](const std::string& why) { refuseAll(why); });
+              analysis.open(
+                  paths, [this](const std::string& why) { refuseAll(why); }, [] {}, lookIn);
             },
             [this](const std::string& robot) { robots.connect(robot); },
             [this](const std::string& robot) { robots.disconnect(robot); }};
@@ -125,6 +138,14 @@ struct Panel::Implementation {
   void refuse(std::size_t panel, const std::string& problem) { server.send(panel, refusal(problem)); }
   void refuseAll(const std::string& problem) { server.sendAll(refusal(problem)); }
 
+  /// The folders of the request's `lookIn`, then those of the program's options.
+  std::vector<std::filesystem::path> foldersToSearch(const Json& request) const {
+    const auto named = request.value("lookIn", std::vector<std::string>{});
+    std::vector<std::filesystem::path> folders{named.begin(), named.end()};
+    folders.insert(folders.end(), lookIn.begin(), lookIn.end());
+    return folders;
+  }
+
   void greet(std::size_t panel) {
     server.send(panel, hello());
     for (const auto& [kind, told] : analysis.latest()) {
@@ -133,6 +154,9 @@ struct Panel::Implementation {
     robots.addPanel(panel);
     server.send(panel, makeMessage(runner.latest()));
     server.send(panel, makeMessage(start.message()));
+    if (history.isRecording()) {
+      history.refresh();
+    }
   }
 
   void received(std::size_t panel, const std::string& text) {
@@ -188,7 +212,7 @@ struct Panel::Implementation {
       const std::vector<std::string> paths = at("paths");
       bridge.analysis.open(
           paths, [&bridge = bridge, panel = panel](const std::string& why) { bridge.refuse(panel, why); },
-          [&bridge = bridge, paths] { bridge.start.opened(paths); });
+          [&bridge = bridge, paths] { bridge.start.opened(paths); }, bridge.foldersToSearch(body));
     }
     void upload() const {
       bridge.start.beginUpload(panel, at("files"));
@@ -226,6 +250,11 @@ struct Panel::Implementation {
         {"cancel", [](const Request& request) { request.worker().cancelSearch(); }},
         {"propose", [](const Request& request) { request.worker().proposePoses(request.at("count")); }},
         {"compare", [](const Request& request) { request.worker().compareWith(request.at("paths")); }},
+        {"history", [](const Request& request) { request.bridge.history.refresh(); }},
+        {"openRun",
+         [](const Request& request) {
+           request.bridge.history.open(request.at("id"), request.bridge.foldersToSearch(request.body));
+         }},
         {"make", [](const Request& request) { request.worker().generateFile(request.at("file")); }},
         // robots
         {"connect", [](const Request& request) { request.bridge.robots.connect(request.at("robot")); }},
@@ -274,7 +303,9 @@ struct Panel::Implementation {
   CommandRunner runner;
   StartPage start;
   AnalysisSlot analysis{[this](std::function<void()> action) { boost::asio::post(context, std::move(action)); },
-                        [this](const Message& told) { server.sendAll(told); }}; // last: its threads post to the context
+                        [this](const Message& told) { server.sendAll(told); }};
+  const std::vector<std::filesystem::path> lookIn;
+  PanelHistory history; // last, with `analysis`: their threads post to the context
 };
 
 Panel::Panel(PanelOptions options) : implementation_{std::make_unique<Implementation>(std::move(options))} {}

@@ -13,11 +13,13 @@
 namespace naocal {
 
 struct PanelOptions {
-  std::optional<Dataset> opened;     // initial dataset; absent: none
-  std::vector<std::string> robots;   // initial robots: addresses
-  std::uint16_t port = 0;            // on 127.0.0.1; 0: any free one
-  std::vector<std::string> paths;    // where `opened` was read from, for the recent files
-  std::filesystem::path recentFiles; // file that keeps the recent files; empty: none
+  std::optional<Dataset> opened;                  // initial dataset; absent: none
+  std::vector<std::string> robots;                // initial robots: addresses
+  std::uint16_t port = 0;                         // on 127.0.0.1; 0: any free one
+  std::vector<std::string> paths;                 // where `opened` was read from, for the recent files
+  std::filesystem::path recentFiles;              // file that keeps the recent files; empty: none
+  std::filesystem::path runs = {};                // folder of recorded runs; empty: none are read or recorded
+  std::vector<std::filesystem::path> lookIn = {}; // searched for captures that were moved
 };
 
 /// The complete bridge: server, analysis of captures, robots. Runs until `stop`.

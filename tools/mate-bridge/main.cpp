@@ -7,10 +7,13 @@
 #include "io/Failure.hpp"
 #include "io/Files.hpp"
 #include "io/InputError.hpp"
+#include "io/StateFolder.hpp"
 #include "math/Parallel.hpp"
+#include "runs/RunFolder.hpp"
 
 #include <CLI/CLI.hpp>
 #include <charconv>
+#include <filesystem>
 #include <fmt/core.h>
 #include <optional>
 
@@ -30,6 +33,16 @@ std::uint16_t portOf(const std::string& address) {
   return port;
 }
 
+/// The folder of runs in the state folder; empty, after a sentence, if there is no such folder for this user.
+std::filesystem::path runsFolder(const std::string& state) {
+  try {
+    return naocal::runsIn(state.empty() ? naocal::stateFolder() : std::filesystem::path{state});
+  } catch (const naocal::InputError& error) {
+    fmt::print(stderr, "Runs of robots are not recorded: {}.\n", error.what());
+    return {};
+  }
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -38,7 +51,8 @@ int main(int argc, char** argv) {
   app.footer("Examples: mate-bridge captures/\n          mate-bridge result.json\n          mate-bridge "
              "diagnosis.json\n          mate-bridge --robot nao21");
   std::vector<std::string> sets, robots;
-  std::string session;
+  std::string session, state;
+  std::vector<std::string> lookIn;
   std::string listen = "127.0.0.1:0";
   bool noOpen = false;
   app.add_option(
@@ -51,20 +65,33 @@ int main(int argc, char** argv) {
       ->allow_extra_args(false);
   app.add_option("--listen", listen, "127.0.0.1:PORT where the panel is served; 0 takes any port")
       ->capture_default_str();
+  app.add_option("--look-in", lookIn,
+                 "a folder to search for captures that were moved; they are recognised by their SHA-256")
+      ->check(CLI::ExistingDirectory)
+      ->allow_extra_args(false);
+  app.add_option("--state", state,
+                 "folder where runs of connected robots are recorded, in runs/; $XDG_STATE_HOME/naocal or "
+                 "~/.local/state/naocal if not given");
   app.add_flag("--no-open", noOpen, "only print the address");
   app.set_version_flag("--version", NAOCAL_VERSION);
   try {
     app.parse(argc, argv);
-    naocal::PanelOptions options{std::nullopt, robots, portOf(listen), sets, naocal::recentFilesFile()};
+    naocal::PanelOptions options{std::nullopt, robots, portOf(listen), sets, naocal::recentFilesFile(), runsFolder(state)};
+    options.lookIn.assign(lookIn.begin(), lookIn.end());
     if (!session.empty()) {
       naocal::removeAbandonedWritesOf(session);
-      options.opened = naocal::openSession(sets, session);
+      options.opened = naocal::openSession(sets, session, options.lookIn);
       options.paths = sets.empty() ? std::vector{session} : sets;
     } else if (!sets.empty()) {
-      options.opened = naocal::openDataset(sets);
+      options.opened = naocal::openDataset(sets, options.lookIn);
     }
+    for (const std::string& sentence : options.opened ? options.opened->moved : std::vector<std::string>{}) {
+      fmt::print(stderr, "{}\n", naocal::printableText(sentence));
+    }
+    const std::string runs = options.runs.string();
     naocal::Panel panel{std::move(options)};
-    fmt::print("The panel is at {}\nEnd with Ctrl-C.\n", panel.address());
+    fmt::print("The panel is at {}\n{}End with Ctrl-C.\n", panel.address(),
+               runs.empty() ? "" : fmt::format("Runs of robots are recorded in {}.\n", runs));
     std::fflush(stdout);
     const bool isThere = naocal::pageMissing().empty();
     const auto opened = isThere && !noOpen ? naocal::openInBrowser(panel.address()) : nullptr;

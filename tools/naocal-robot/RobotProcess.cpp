@@ -5,6 +5,7 @@
 #include "framework/core/ModuleConfiguration.hpp"
 #include "io/Files.hpp"
 #include "motion/MotionModules.hpp"
+#include "runs/RunFolder.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -34,6 +35,14 @@ RobotNames namesOf(const RobotIdentity& identity, const RobotProcessOptions& opt
   return names;
 }
 
+/// Its runs are recorded in the state folder; nowhere without one, as the configuration is shipped.
+RunRecording runsOf(const RobotIdentity& identity, const RobotNames& names, const RobotProcessOptions& options,
+                    const Log& log) {
+  return {options.state.empty() ? options.state : runsIn(options.state),
+          {names.body, names.head, identity.bodyId, identity.headId},
+          log};
+}
+
 } // namespace
 
 RobotProcess::RobotProcess(RobotInterface& robot, CameraInterface& cameras, const Robot& drawing,
@@ -41,14 +50,16 @@ RobotProcess::RobotProcess(RobotInterface& robot, CameraInterface& cameras, cons
     : robot_{robot}, cameras_{cameras}, options_{options}, log_{std::move(log)},
       configuration_{{options.configuration, options.state}, namesOf(identity, options), writeAtomically, log_} {
   addMotionModules(motion_, robot, drawing, ending_);
-  addBrainModules(brain_, cameras, {drawing, identity, configuration_, options.configuration, options.recordings});
+  const RobotNames names = namesOf(identity, options);
+  addBrainModules(brain_, cameras,
+                  {drawing, identity, configuration_, options.configuration, options.recordings,
+                   runsOf(identity, names, options, log_)});
   if (options.replay != nullptr) {
     replayed_ = &brain_.add<ReplayedCalibration>(drawing, *options.replay, options.recordings,
                                                  loadCalibrationModel(options.configuration, drawing));
   }
   database_.emplace(std::vector<Thread*>{&motion_, &brain_});
   configuration_.mount("tuhhSDK.base", "sdk.json", RobotPart::none);
-  const RobotNames names = namesOf(identity, options);
   configuration_.publish("tuhhSDK.base", "NaoInfo.headName", names.head);
   configuration_.publish("tuhhSDK.base", "NaoInfo.bodyName", names.body);
   // extension: HULKs' robots do not publish ids

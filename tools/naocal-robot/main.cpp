@@ -1,12 +1,13 @@
 #include "Hardware.hpp"
 #include "RobotProcess.hpp"
-#include "StateFolder.hpp"
 #include "data/BoardFile.hpp"
 #include "data/BoardListFile.hpp"
 #include "hardware/simulated/SimulatedPlan.hpp"
 #include "io/Failure.hpp"
 #include "io/Files.hpp"
 #include "io/InputError.hpp"
+#include "io/StateFolder.hpp"
+#include "runs/RunFolder.hpp"
 
 #include <CLI/CLI.hpp>
 #include <atomic>
@@ -112,7 +113,8 @@ int run(Options options) {
   }
   removeAbandonedWrites(options.process.state);
   removeAbandonedWrites(options.process.recordings);
-  say(fmt::format("What the robot learns is saved in {}.", options.process.state.string()));
+  say(fmt::format("What the robot learns is saved in {}, its runs in {}.", options.process.state.string(),
+                  runsIn(options.process.state).string()));
   RobotProcess process{*hardware.robot, *hardware.cameras, hardware.drawing, *identity, options.process, say};
   if (!options.boards.empty()) {
     useBoards(options.boards, process);

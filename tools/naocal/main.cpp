@@ -51,6 +51,7 @@ int main(int argc, char** argv) {
   naocal::addExport(app);
   naocal::addImport(app);
   naocal::addBoard(app);
+  naocal::addHistory(app);
   naocal::addReplay(app, exitCode);
   naocal::addDemo(app, exitCode);
   naocal::addEvaluate(app);

@@ -46,6 +46,7 @@ struct PlayerState {
   std::string reason;        // one sentence: reason of a refusal, stop or wait; empty otherwise
   std::uint64_t presses = 0; // chest button presses that did not send the robot home: it was there, waited for an
                              // answer, or motors were off
+  std::uint64_t falls = 0;   // times that the torso was tilted so far that the motors were made weak
 };
 void to_json(nlohmann::json& out, const PlayerState& state);
 

@@ -3,6 +3,7 @@
 #include "calibration/Calibration.hpp"
 #include "calibration/KnownEffects.hpp"
 #include "calibration/Verdict.hpp"
+#include "data/SetSearch.hpp"
 #include "estimation/DriverState.hpp"
 #include "io/Files.hpp"
 #include "io/InputError.hpp"
@@ -222,6 +223,23 @@ json definitions(const Model& model) {
 void ResultSources::add(const std::filesystem::path& folder) {
   sets.push_back(std::filesystem::weakly_canonical(folder).string());
   sha256.push_back(naocal::sha256(readFile(folder / "captures.json")));
+  names.push_back(std::filesystem::canonical(folder).filename().string());
+}
+
+ResultSources ResultSources::placedBeside(const std::filesystem::path& file) const {
+  ResultSources placed = *this;
+  for (std::string& set : placed.sets) {
+    set = file.empty() || file == "-" ? set : placeFrom(set, file.parent_path());
+  }
+  return placed;
+}
+
+json toJson(const ResultSources& sources) {
+  json inputs{{"sets", sources.sets}, {"sha256", sources.sha256}};
+  if (!sources.names.empty()) {
+    inputs["names"] = sources.names;
+  }
+  return inputs;
 }
 
 StoredResult parseResult(const json& all, const std::string& name) {
@@ -238,7 +256,8 @@ StoredResult parseResult(const json& all, const std::string& name) {
     result.sentence = all.value("sentence", "");
     if (all.contains("inputs")) {
       result.inputs = {all["inputs"].value("sets", std::vector<std::string>{}),
-                       all["inputs"].value("sha256", std::vector<std::string>{})};
+                       all["inputs"].value("sha256", std::vector<std::string>{}),
+                       all["inputs"].value("names", std::vector<std::string>{})};
     }
     if (all.contains("model") && all["model"].contains("define")) {
       result.definitions = all["model"]["define"].dump();
@@ -313,7 +332,7 @@ json resultJson(const FittedModel& fitted, const ResultSources& inputs) {
           {"iterations", fitted.fit.iterations},
           {"restarts", {{"tried", fitted.fit.restartsTried}, {"changedTheAnswer", fitted.fit.restartsChanged}}},
           {"seconds", fitted.fit.seconds},
-          {"inputs", {{"sets", inputs.sets}, {"sha256", inputs.sha256}}},
+          {"inputs", toJson(inputs)},
           {"model",
            {{"robot", fitted.measurements.robot.model},
             {"terms", std::move(terms)},

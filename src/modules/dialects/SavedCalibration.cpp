@@ -51,6 +51,18 @@ StoredResult readConfiguredCalibration(const Configuration& configuration) {
   return result;
 }
 
+std::map<std::string, double> readConfiguredOffsets(const Configuration& configuration) {
+  std::map<std::string, double> offsets;
+  const StoredResult configured = readConfiguredCalibration(configuration);
+  for (const std::string& term : configured.terms) {
+    if (const auto [effect, joint] = std::pair{term.substr(0, term.find('@')), term.substr(term.find('@') + 1)};
+        effect == effectName::jointOffset) {
+      offsets[joint] = configured.values.at(term + ".o");
+    }
+  }
+  return offsets;
+}
+
 std::string snapshotCalibration(const Configuration& configuration) {
   nlohmann::json all;
   for (const std::string& mount : calibrationMounts) {

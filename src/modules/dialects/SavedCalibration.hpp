@@ -4,6 +4,9 @@
 #include "calibration/ResultFile.hpp"
 #include "framework/configuration/Configuration.hpp"
 
+#include <map>
+#include <string>
+
 namespace naocal {
 
 /// The offsets of the neck.
@@ -11,6 +14,9 @@ std::vector<EffectiveOffset> headOffsets(std::vector<EffectiveOffset> offsets);
 
 /// The configured joint offsets and camera mounts.
 StoredResult readConfiguredCalibration(const Configuration& configuration);
+
+/// The configured joint offsets by joint [rad].
+std::map<std::string, double> readConfiguredOffsets(const Configuration& configuration);
 
 /// The keys of both mounts in their current state, as JSON for `restoreCalibration`.
 std::string snapshotCalibration(const Configuration& configuration);

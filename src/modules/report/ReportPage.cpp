@@ -45,13 +45,25 @@ std::string filled(std::string_view frame, const std::map<std::string_view, std:
   return page.append(frame);
 }
 
-} // namespace
-
-std::string renderReport(const std::filesystem::path& file) {
-  return renderReport(parseJson(readFile(file), file.string()), file);
+/// Data of a result's page; tells where the captures are.
+json resultPage(const JsonCursor& result, const std::filesystem::path& file, const CaptureSources& sources) {
+  const SourceCaptures captures{result, {file, sources.lookIn}};
+  for (const std::string& sentence : captures.moved()) {
+    sources.tell(sentence);
+  }
+  for (const std::string& sentence : captures.unavailable()) {
+    sources.tell("the page has neither pictures nor joint angles: " + sentence);
+  }
+  return resultData(result, captures);
 }
 
-std::string renderReport(const json& document, const std::filesystem::path& file) {
+} // namespace
+
+std::string renderReport(const std::filesystem::path& file, const CaptureSources& sources) {
+  return renderReport(parseJson(readFile(file), file.string()), file, sources);
+}
+
+std::string renderReport(const json& document, const std::filesystem::path& file, const CaptureSources& sources) {
   const JsonCursor top{document, file.string()};
   const JsonCursor format = top.at("format");
   const bool isDiagnosis = format.value() == "naocal-diagnosis", isEvaluation = format.value() == "naocal-evaluation";
@@ -63,7 +75,7 @@ std::string renderReport(const json& document, const std::filesystem::path& file
   top.at("version").integer(1, 1);
   const std::string data = harmless(isDiagnosis    ? diagnosisData(top)
                                     : isEvaluation ? evaluationData(top)
-                                                   : resultData(top, SourceCaptures{top, file}));
+                                                   : resultPage(top, file, sources));
   if (!isDiagnosis && !isEvaluation) {
     requireKnownEffects(document, file.string());
   }

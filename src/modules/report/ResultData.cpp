@@ -165,7 +165,7 @@ json resultData(const JsonCursor& result, const SourceCaptures& sources) {
             {"groups", estimatesData(result.at("effects"))},
             {"pixelNoise", result.at("noise").at("pixel").number({0, 1e6, "px"})},
             {"pictures", picturesJson(readPictures(result), sources)},
-            {"sets", result.at("inputs").at("sets").texts()},
+            {"sets", sources.names()},
             {"missing", sources.unavailable()}};
   for (const auto& [figure, sentence] : facts(result, data["pictures"].size(), sources.nominalRms())) {
     data["facts"].push_back({{"figure", figure}, {"sentence", sentence}});

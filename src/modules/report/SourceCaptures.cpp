@@ -60,7 +60,7 @@ std::string label(const JsonCursor& place) {
 
 PictureRecord seenPicture(const JsonCursor& place, const JsonCursor& cameras) {
   PictureRecord picture;
-  picture.set = place.at("set").text();
+  picture.set = label(place.at("set"));
   picture.capture = place.at("capture").integer(0, maxInteger);
   picture.pose = label(place.at("pose"));
   picture.repeat = place.at("repeat").integer(0, maxInteger);
@@ -73,15 +73,14 @@ PictureRecord seenPicture(const JsonCursor& place, const JsonCursor& cameras) {
   return picture;
 }
 
-/// The folder as recorded, otherwise relative to the result file.
-std::optional<fs::path> found(const fs::path& folder, const fs::path& resultFile) {
-  for (const fs::path& candidate : {folder, resultFile.parent_path() / folder}) {
-    std::error_code ignored;
-    if (fs::exists(candidate / "captures.json", ignored)) {
-      return candidate;
-    }
+/// Names of the sets in the result; in older files those of their folders.
+std::vector<std::string> namesOf(const JsonCursor& inputs) {
+  std::vector<std::string> names;
+  const auto told = inputs.find("names");
+  for (const JsonCursor& one : (told ? *told : inputs.at("sets")).elements()) {
+    names.push_back(told ? label(one) : fs::path{one.text()}.lexically_normal().filename().string());
   }
-  return std::nullopt;
+  return names;
 }
 
 std::string base64(std::string_view bytes) {
@@ -124,29 +123,27 @@ std::vector<PictureRecord> readPictures(const JsonCursor& result) {
   return sorted;
 }
 
-SourceCaptures::SourceCaptures(const JsonCursor& result, const fs::path& resultFile) {
+SourceCaptures::SourceCaptures(const JsonCursor& result, const SetSearch& search) {
   const JsonCursor inputs = result.at("inputs");
   const std::vector<JsonCursor> folders = inputs.at("sets").elements(), sums = inputs.at("sha256").elements();
-  if (folders.size() != sums.size()) {
-    inputs.at("sha256").refuse("as many sums as there are sets");
+  names_ = namesOf(inputs);
+  if (folders.size() != sums.size() || folders.size() != names_.size()) {
+    inputs.at("sha256").refuse("as many sums and names as there are sets");
   }
   for (std::size_t i = 0; i < folders.size(); ++i) {
-    const std::string given = folders[i].text();
-    const std::optional<fs::path> folder = found(given, resultFile);
-    if (!folder) {
-      missing_.push_back(fmt::format("the captures {} are no longer there", given));
+    SoughtSet sought = findSet({folders[i].text(), sums[i].text()}, search);
+    if (!sought.folder) {
+      missing_.push_back(std::move(sought.sentence));
       continue;
     }
     try {
-      const fs::path file = *folder / "captures.json";
-      if (sha256(readFile(file)) != sums[i].text()) {
-        missing_.push_back(fmt::format("{} has changed since the result was made", file.string()));
-        continue;
+      unchanged_[names_[i]] = {*sought.folder, readCaptureSet(*sought.folder, BadCapturePolicy::skip).set};
+      unchanged_[names_[i]].set.name = names_[i];
+      if (!sought.sentence.empty()) {
+        moved_.push_back(std::move(sought.sentence));
       }
-      const CaptureSet set = readCaptureSet(*folder, BadCapturePolicy::skip).set;
-      unchanged_[set.name] = {*folder, set};
     } catch (const InputError& error) {
-      missing_.push_back(error.what());
+      missing_.emplace_back(error.what());
     }
   }
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "data/Capture.hpp"
+#include "data/SetSearch.hpp"
 #include "io/GreyImage.hpp"
 #include "io/JsonReader.hpp"
 
@@ -45,8 +46,8 @@ std::vector<PictureRecord> readPictures(const JsonCursor& result);
 /// The capture sets of a result, as far as they are still available and unchanged (SHA-256).
 class SourceCaptures {
 public:
-  /// Looks for the result's folders at the recorded path and relative to the result file.
-  SourceCaptures(const JsonCursor& result, const std::filesystem::path& resultFile);
+  /// Looks for the sets at their places, near the result file and in folders that the user names (`findSet`).
+  SourceCaptures(const JsonCursor& result, const SetSearch& search);
 
   /// Joint readings of an image by joint name [rad]; empty if its set is unavailable or has changed.
   std::map<std::string, double> angles(const PictureRecord& picture) const;
@@ -61,6 +62,10 @@ public:
 
   /// One sentence per unavailable set.
   const std::vector<std::string>& unavailable() const { return missing_; }
+  /// One sentence per set that was found elsewhere than at its place.
+  const std::vector<std::string>& moved() const { return moved_; }
+  /// The names of all sets.
+  const std::vector<std::string>& names() const { return names_; }
 
 private:
   struct Source {
@@ -68,7 +73,7 @@ private:
     CaptureSet set;
   };
   std::map<std::string, Source> unchanged_; // by set name
-  std::vector<std::string> missing_;
+  std::vector<std::string> missing_, moved_, names_;
 };
 
 /// An image as a data URI: grey, JPEG, at most 640 px wide. Absent if the file is not an image of the described size.

@@ -90,7 +90,9 @@ void AnalysisSession::tellLadder() const {
 
 void AnalysisSession::keepSession() const {
   if (!opened_.sessionFile.empty()) {
-    writeAtomically(opened_.sessionFile, sessionJson(session_).dump(2) + "\n");
+    Session kept = session_;
+    kept.inputs = session_.inputs.placedBeside(opened_.sessionFile);
+    writeAtomically(opened_.sessionFile, sessionJson(kept).dump(2) + "\n");
   }
 }
 
@@ -263,7 +265,7 @@ std::string AnalysisSession::generateFile(const std::string& name) {
   if (next_) {
     document["next"] = nextPosesJson(*next_, opened_.robot);
   }
-  document["inputs"] = {{"sets", opened_.inputs.sets}, {"sha256", opened_.inputs.sha256}};
+  document["inputs"] = toJson(opened_.inputs);
   return name == "diagnosis.json" ? document.dump(2) + "\n" : renderReport(document, name);
 }
 

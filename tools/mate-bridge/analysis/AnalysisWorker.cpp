@@ -146,6 +146,7 @@ std::optional<std::string> AnalysisWorker::picture(std::string_view path) const 
 
 void AnalysisSlot::setDataset(Dataset opened) {
   const std::size_t number = number_ + 1;
+  const std::vector<std::string> moved = opened.moved;
   auto fresh =
       std::make_unique<AnalysisWorker>(std::move(opened), [this, number](const std::string& kind, std::string json) {
         later_([this, number, kind, told = makeMessage(std::move(json))] {
@@ -158,6 +159,9 @@ void AnalysisSlot::setDataset(Dataset opened) {
   number_ = number;
   latest_.clear();
   all_(makeMessage(R"({"kind": "opened"})"));
+  for (const std::string& sentence : moved) {
+    all_(makeMessage(jsonText({{"kind", "moved"}, {"sentence", sentence}})));
+  }
   if (worker_) { // finishes its current task, which may take seconds
     leaving_.enqueue([old = std::shared_ptr<AnalysisWorker>{std::move(worker_)}] {});
   }
@@ -165,27 +169,34 @@ void AnalysisSlot::setDataset(Dataset opened) {
 }
 
 void AnalysisSlot::open(const std::vector<std::string>& paths, std::function<void(const std::string& problem)> refused,
-                        std::function<void()> opened) {
+                        std::function<void()> opened, const std::vector<std::filesystem::path>& lookIn) {
   tellWork("opening captures");
-  opening_.enqueue([this, paths, refused = std::move(refused), opened = std::move(opened)] {
+  opening_.enqueue([this, paths, lookIn, refused = std::move(refused), opened = std::move(opened)] {
     std::shared_ptr<Dataset> dataset;
     std::string problem;
+    bool isMissing = false;
     try {
-      dataset = std::make_shared<Dataset>(openDataset(paths));
+      dataset = std::make_shared<Dataset>(openDataset(paths, lookIn));
+    } catch (const MissingCaptures& error) {
+      problem = error.what();
+      isMissing = true;
     } catch (const std::exception& error) {
       problem = error.what();
     }
-    later_([this, dataset, problem, refused, opened] {
+    later_([this, dataset, problem, isMissing, paths, refused, opened] {
       tellWork(nullptr);
       try {
-        if (!dataset) {
+        if (dataset) {
+          setDataset(std::move(*dataset));
+          opened();
+        } else {
           refused(problem);
-          return;
         }
-        setDataset(std::move(*dataset));
-        opened();
       } catch (const std::exception& error) {
         refused(error.what());
+      }
+      if (isMissing) {
+        all_(makeMessage(jsonText({{"kind", "missing"}, {"sentence", problem}, {"paths", paths}})));
       }
     });
   });

@@ -1,6 +1,7 @@
 #include "analysis/Dataset.hpp"
 
 #include "data/CaptureSetFile.hpp"
+#include "data/SetSearch.hpp"
 #include "detect/BoardDetector.hpp"
 #include "io/Files.hpp"
 #include "io/InputError.hpp"
@@ -44,19 +45,20 @@ bool isDirectory(const std::filesystem::path& path) {
   return std::filesystem::is_directory(path, ignored);
 }
 
-/// The folder of a set named in a document: the path as written, otherwise beside the document. Throws InputError.
-std::string resolveFolder(const std::string& written, const std::filesystem::path& document) {
-  const std::filesystem::path beside =
-      document.parent_path() / std::filesystem::path{written}.lexically_normal().filename();
-  for (const std::filesystem::path& folder : {std::filesystem::path{written}, beside}) {
-    if (isSet(folder)) {
-      return folder.string();
-    }
+/// How a document uses its sets: fits them anew, or continues with what it knows of them.
+enum class InputUse { fitsAnew, continues };
+
+/// Finds the folder of a document's set; one that has changed serves for a new fit. Throws MissingCaptures.
+std::string findFolder(const NamedSet& set, const SetSearch& search, InputUse use, Dataset& opened) {
+  const SoughtSet sought = findSet(set, search);
+  const auto& folder = sought.folder || use == InputUse::continues ? sought.folder : sought.changed;
+  if (!folder) {
+    throw MissingCaptures{sought.sentence};
   }
-  throw InputError{
-      fmt::format("{}: the capture set {} that it was made from is not there any more, nor is {}; open the "
-                  "captures themselves",
-                  document.string(), written, beside.string())};
+  if (!sought.sentence.empty()) {
+    opened.moved.push_back(sought.sentence);
+  }
+  return folder->string();
 }
 
 /// Adds a set, or all sets in a folder, as in a robot's recording. Throws InputError.
@@ -84,24 +86,28 @@ bool isDocument(const std::string& path) {
   return std::filesystem::is_regular_file(path, ignored) || (!isDirectory(path) && path.ends_with(".json"));
 }
 
-/// Adds the sets that a document refers to.
-void addInputs(const JsonCursor& inputs, const std::string& file, Dataset& opened) {
-  for (const JsonCursor& set : inputs.at("sets").elements()) {
-    addSet(resolveFolder(set.text(), file), opened);
+/// Adds the sets that a document refers to. Throws MissingCaptures.
+void addInputs(const JsonCursor& inputs, const SetSearch& search, InputUse use, Dataset& opened) {
+  const std::vector<std::string> places = inputs.at("sets").texts();
+  const auto told = inputs.find("sha256");
+  const auto sums = told ? told->elements() : std::vector<JsonCursor>{};
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const bool hasSum = i < sums.size() && sums[i].value() != "";
+    addSet(findFolder({places[i], hasSum ? sums[i].text() : ""}, search, use, opened), opened);
   }
 }
 
 /// Adds a diagnosis: the suggested effects, and its sets unless sets are given.
-void addDiagnosis(const JsonCursor& diagnosis, const std::string& file, bool setsAreNamed, Dataset& opened) {
+void addDiagnosis(const JsonCursor& diagnosis, const SetSearch& search, bool setsAreNamed, Dataset& opened) {
   for (const JsonCursor& label : diagnosis.at("suggested").elements()) {
     opened.with.push_back(label.text());
   }
   if (!setsAreNamed) {
     if (!diagnosis.find("inputs")) {
-      throw InputError{
-          fmt::format("{}: this diagnosis does not say of which captures it is; name them behind it", file)};
+      throw InputError{fmt::format("{}: this diagnosis does not say of which captures it is; name them behind it",
+                                   search.document.string())};
     }
-    addInputs(diagnosis.at("inputs"), file, opened);
+    addInputs(diagnosis.at("inputs"), search, InputUse::fitsAnew, opened);
   }
 }
 
@@ -111,9 +117,9 @@ void takeModel(const std::string& resultFile, Dataset& opened) {
   opened.definitions = stored.definitions;
 }
 
-void addResult(const JsonCursor& result, const std::string& file, Dataset& opened) {
-  takeModel(file, opened);
-  addInputs(result.at("inputs"), file, opened);
+void addResult(const JsonCursor& result, const SetSearch& search, Dataset& opened) {
+  takeModel(search.document.string(), opened);
+  addInputs(result.at("inputs"), search, InputUse::fitsAnew, opened);
 }
 
 /// The solved round of a robot's recording: its subfolder "first", or the folder itself.
@@ -158,29 +164,30 @@ void addModel(const JsonCursor& model, const std::string& file, bool alone, Data
 }
 
 /// Adds a session: its revisions, and its sets unless sets are given.
-void addSession(const JsonCursor& document, const std::string& file, bool alone, Dataset& opened) {
-  Session session = readSession(file);
+void addSession(const JsonCursor& document, const SetSearch& search, bool alone, Dataset& opened) {
+  Session session = readSession(search.document);
   if (alone) {
-    addInputs(document, file, opened);
+    addInputs(document, search, InputUse::continues, opened);
   }
-  requireSameCaptures(session, opened.inputs, file);
+  requireSameCaptures(session, opened.inputs, search.document);
   opened.ladder = std::move(session.ladder);
   opened.at = session.at;
 }
 
 /// Adds a result, a diagnosis, a session or a model; `alone`: no sets are given.
-void addDocument(const std::string& file, bool alone, Dataset& opened) {
+void addDocument(const SetSearch& search, bool alone, Dataset& opened) {
+  const std::string file = search.document.string();
   const nlohmann::json document = parseJson(readFile(file), file);
   const JsonCursor place{document, file};
   const std::string format = place.at("format").text();
   if (format == "naocal-diagnosis") {
-    return addDiagnosis(place, file, !alone, opened);
+    return addDiagnosis(place, search, !alone, opened);
   }
   if (format == "naocal-model") {
     return addModel(place, file, alone, opened);
   }
   if (format == "naocal-session") {
-    return addSession(place, file, alone, opened);
+    return addSession(place, search, alone, opened);
   }
   if (format != "naocal-result") {
     place.at("format").refuse("\"naocal-result\", \"naocal-diagnosis\", \"naocal-session\" or \"naocal-model\": "
@@ -189,12 +196,12 @@ void addDocument(const std::string& file, bool alone, Dataset& opened) {
   if (!alone) {
     throw InputError{fmt::format("{}: a result is opened by itself, with the sets that it was made from", file)};
   }
-  addResult(place, file, opened);
+  addResult(place, search, opened);
 }
 
 } // namespace
 
-Dataset openDataset(const std::vector<std::string>& paths) {
+Dataset openDataset(const std::vector<std::string>& paths, const std::vector<std::filesystem::path>& lookIn) {
   Dataset opened;
   for (const std::string& path : paths) {
     if (!isDocument(path)) {
@@ -203,7 +210,7 @@ Dataset openDataset(const std::vector<std::string>& paths) {
   }
   for (const std::string& path : paths) {
     if (isDocument(path)) {
-      addDocument(path, paths.size() == 1, opened);
+      addDocument({path, lookIn}, paths.size() == 1, opened);
     }
   }
   if (opened.sets.empty()) {
@@ -213,11 +220,12 @@ Dataset openDataset(const std::vector<std::string>& paths) {
   return opened;
 }
 
-Dataset openSession(std::vector<std::string> paths, const std::string& file) {
+Dataset openSession(std::vector<std::string> paths, const std::string& file,
+                    const std::vector<std::filesystem::path>& lookIn) {
   if (std::filesystem::exists(file)) {
     paths.push_back(file);
   }
-  Dataset opened = openDataset(paths);
+  Dataset opened = openDataset(paths, lookIn);
   opened.sessionFile = file;
   return opened;
 }

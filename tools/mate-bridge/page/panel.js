@@ -15,9 +15,10 @@ import {showTools} from "./command-runner.js";
 import {connect, on} from "./core/connection.js";
 import {explainAlways} from "./core/glossary.js";
 import {offerViews} from "./core/session-export.js";
-import {notice, onNotice, state} from "./core/state.js";
+import {notice, onNotice, say, state} from "./core/state.js";
 import {hasCalibration, leaveCalibrate, calibrationSummary, onMessage as onCalibrateMessage, showCalibrate} from "./robots/calibrate.js";
 import {onMessage as onConfigurationMessage, showKeys} from "./robots/configuration.js";
+import {hasHistory, requestHistory, showHistory} from "./history/history.js";
 import {refreshStop} from "./robots/controls.js";
 import {followAll, stateKey} from "./robots/health.js";
 import {leaveLive, onMessage as onLiveMessage, showLive} from "./robots/live.js";
@@ -36,13 +37,14 @@ const views = [
   {id: "own", name: "Custom effect", show: showUserEffect, kinds: ["set"], analysis: true},
   {id: "result", name: "Result", show: showResult, kinds: ["fit", "keys", "robot"], analysis: true},
   {id: "next", name: "Next poses", show: showNext, kinds: ["fit", "next", "work", "keys", "robot"], analysis: true},
-  {id: "files", name: "Files", show: showFiles, worked: filesWorked, kinds: ["set", "compared"]},
+  {id: "files", name: "Files", show: showFiles, worked: filesWorked, kinds: ["set", "compared", "missing"]},
   {id: "match", name: "Calibrate", show: showCalibrate, leave: leaveCalibrate, kinds: []},
   {id: "live", name: "Live", show: showLive, leave: leaveLive, kinds: []},
   {id: "keys", name: "Configuration", show: showKeys, kinds: []},
+  {id: "history", name: "History", show: showHistory, enter: requestHistory, kinds: ["history"]},
   {id: "tools", name: "Tools", show: showTools, kinds: []},
 ];
-const keyed = ["h", "1", "2", "3", "4", "5", "6", "7", "8", "9", "0", "t"]; // keyboard shortcuts of the views
+const keyed = ["h", "1", "2", "3", "4", "5", "6", "7", "8", "9", "0", "y", "t"]; // keyboard shortcuts of the views
 /** @type {any} */
 let current;
 let hasRobots = false; // whether the bridge has robots
@@ -71,6 +73,7 @@ function open() {
   /** @type {HTMLElement} */ (document.querySelector("main")).classList.toggle("wide", at("model").hidden);
   draw();
   if (!arrived) return;
+  if (current.enter) current.enter();
   showTab();
   scrollTo(0, 0);
 }
@@ -174,9 +177,20 @@ on("opened", () => { // other captures were opened
   forget([...analysisKinds, "earlier"]);
   state.analysis = true;
   state.chosen = null;
+  state.missing = null;
   go("compare");
 });
-on("refused", ({sentence}) => notice(sentence));
+on("refused", ({sentence}) => { if (sentence !== state.missing?.sentence) notice(sentence); });
+on("moved", ({sentence}) => say(sentence.charAt(0).toUpperCase() + sentence.slice(1) + "."));
+on("history", message => {
+  state.history = message;
+  redraw("history");
+});
+on("missing", message => {
+  state.missing = message;
+  at("notice").hidden = true;
+  go("files");
+});
 on("work", ({what}) => {
   state.work = what;
   at("work").textContent = what ? what + " …" : "";
@@ -235,7 +249,7 @@ views.forEach((view, i) => {
   at("tabs").append(tab);
 });
 offerViews([...views.filter(({analysis}) => analysis).map(({name, show}) => ({name, show, shows: () => Boolean(state.analysis && state.fit && state.set && state.ladder)})),
-  {name: "Model", show: showModel, shows: () => Boolean(state.fit && state.ladder)}, {name: "Calibrate", show: calibrationSummary, shows: hasCalibration}]);
+  {name: "Model", show: showModel, shows: () => Boolean(state.fit && state.ladder)}, {name: "Calibrate", show: calibrationSummary, shows: hasCalibration}, {name: "History", show: showHistory, shows: hasHistory}]);
 addEventListener("hashchange", open);
 const linked = connected => showLink(connected, () => {
   endUpload();

@@ -15,6 +15,8 @@ namespace {
 
 using Json = nlohmann::json;
 
+constexpr const char* runsKey = "Brain.calibrationRuns";
+constexpr std::size_t theHistory = std::numeric_limits<std::size_t>::max() - 1; // viewer id of the record of runs
 constexpr std::string_view capturesKey = "Brain.calibrationCaptures";
 constexpr std::size_t theWatch = std::numeric_limits<std::size_t>::max(); // viewer id of the live detection
 
@@ -115,6 +117,9 @@ void WatchedRobot::listed(const std::string& kind, const std::string& body) {
       }
     });
   }
+  if (kind == "list") {
+    whereItFits([&] { followRuns(told); });
+  }
   if (kind == "mounts") {
     whereItFits([&] { mounts_.onListed(told); });
   }
@@ -134,7 +139,12 @@ void WatchedRobot::updated(const std::string& body) {
       continue;
     }
     for (const std::size_t viewer : viewers_.subscribersOf(value["key"].get<std::string>())) {
-      if (viewer == theWatch) {
+      if (viewer == theHistory) {
+        if (value.contains("value") && latestRuns_ != value["value"].dump()) {
+          latestRuns_ = value["value"].dump();
+          calls_.runs(address_, value["value"]);
+        }
+      } else if (viewer == theWatch) {
         whereItFits([&] {
           if (value["key"] != capturesKey) {
             watch_->onUpdate(value);
@@ -172,6 +182,15 @@ void WatchedRobot::pictured(const std::string& body) {
                       static_cast<int>(picture->height), picture->file);
     } else {
       calls_.picture(viewer, head + "\n" + std::string{picture->file});
+    }
+  }
+}
+
+/// Subscribes to the robot's newest runs as soon as it lists them; other programs do not have them.
+void WatchedRobot::followRuns(const Json& list) {
+  for (const Json& key : list.at("keys")) {
+    if (calls_.runs && key.at("key") == runsKey && viewers_.subscribersOf(runsKey).empty()) {
+      subscribe(runsKey, theHistory);
     }
   }
 }

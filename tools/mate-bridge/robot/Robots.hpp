@@ -42,6 +42,7 @@ struct PanelCallbacks {
   std::function<void(std::size_t panel, std::string json)> update;         // live values, skippable
   std::function<void(std::size_t panel, std::string headAndFile)> picture; // "{json}\n" and the file, skippable
   std::function<void(std::function<void()>)> later;                        // posts to that thread; thread-safe
+  std::function<void(const std::string& robot, const nlohmann::json& runs)> runs = {}; // a robot's newest runs
 };
 
 /// A robot shown in panels: its connection, the viewers of its keys, and its live detection.
@@ -82,10 +83,13 @@ private:
   std::string takenPictures() const;
   void tellTaken() const;
 
+  void followRuns(const nlohmann::json& list);
+
   std::string address_;
   const PanelCallbacks& calls_;
   Subscriptions viewers_;
   std::map<std::string, std::string> latest_; // last messages for new panels, by kind
+  std::string latestRuns_;                    // last list of runs, to notice changes
   std::set<std::size_t> watchers_;            // panels with live detection
   CapturePictures taken_;                     // images of its calibration's captures
   std::unique_ptr<LiveDetection> watch_;      // created on first use

@@ -1,6 +1,8 @@
 #include "commands/Commands.hpp"
+#include "console/CommandLine.hpp"
 #include "console/OutputFiles.hpp"
 #include "console/PrintText.hpp"
+#include "console/RecordApplied.hpp"
 #include "console/RobotCalibrationFile.hpp"
 
 #include "dialects/ModelCalibration.hpp"
@@ -24,7 +26,7 @@ namespace {
 using nlohmann::json;
 
 struct ApplyCommand {
-  std::string result, configuration, location, json;
+  std::string result, configuration, location, json, state;
   RobotNames names;
   PostureOptions posture;
   bool undo = false, dryRun = false;
@@ -63,6 +65,12 @@ RobotNames namesOf(const ApplyCommand& command, const RobotCalibration& calibrat
     names.location = (*sdk.merged)["location"].get<std::string>();
   }
   return names;
+}
+
+/// The robot of the configuration; serial numbers are the captures', and unknown for a part that an option names.
+RunRobot robotOf(const ApplyCommand& command, const RobotNames& names, const RobotCalibration& calibration) {
+  return {names.body, names.head, command.names.body.empty() ? calibration.bodyId : "",
+          command.names.head.empty() ? calibration.headId : ""};
 }
 
 /// Sets joints, mounts, and lenses that the calibration estimated.
@@ -151,6 +159,7 @@ void apply(const ApplyCommand& command) {
     Configuration configuration{folders, names, writeAtomically,
                                 [](std::string_view line) { printText(stderr, "{}\n", line); }};
     mountCalibration(configuration);
+    const ConfiguredBefore before = readBefore(configuration);
     const json changes = change(command, loaded, configuration);
     const std::vector<std::string> files = targetsOf(configuration);
     if (command.json != "-") {
@@ -165,6 +174,11 @@ void apply(const ApplyCommand& command) {
     if (!command.undo && !command.dryRun) {
       saveCalibration(configuration);
     }
+    const std::string recorded =
+        command.dryRun || changes.empty()
+            ? ""
+            : recordApplied({command.result, command.state, command.undo, robotOf(command, names, loaded.calibration)},
+                            loaded, before, configuration);
     if (!command.json.empty()) {
       writeJson({{"format", "naocal-apply"},
                  {"version", 1},
@@ -182,6 +196,9 @@ void apply(const ApplyCommand& command) {
                 : command.dryRun ? "would be written"
                                  : "written",
                 fmt::join(files, ", "));
+      if (!recorded.empty()) {
+        printText("recorded: {}; see 'naocal history {}'\n", recorded, names.body);
+      }
     }
   } catch (const ConfigurationError& error) {
     throw InputError{error.what()};
@@ -208,9 +225,11 @@ void addApply(CLI::App& app) {
                       "degrees");
   applier->add_option("--set", command->posture.sets,
                       "folder of the captures, where it is no longer as the result names it");
+  addLookIn(*applier, command->posture.lookIn);
   applier->add_option("--head", command->names.head, "the head's name; default: by id_map.json from its serial number");
   applier->add_option("--body", command->names.body, "the body's name; default: by id_map.json from its serial number");
   applier->add_option("--location", command->location, "folder below location/; default: that of sdk.json");
+  applier->add_option("--state", command->state, stateHelp);
   applier->add_option("--json", command->json, "write what changes as JSON to a file, or - for standard output")
       ->check(replaceableFile("naocal-apply"));
   applier->callback([command] { apply(*command); });

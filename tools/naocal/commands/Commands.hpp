@@ -21,6 +21,7 @@ void addExport(CLI::App& app);
 void addImport(CLI::App& app);
 void addBoard(CLI::App& app);
 void addCheck(CLI::App& app, int& exitCode);
+void addHistory(CLI::App& app);
 void addReplay(CLI::App& app, int& exitCode);
 void addDemo(CLI::App& app, int& exitCode);
 void addEvaluate(CLI::App& app);

@@ -125,7 +125,7 @@ int demo(const DemoCommand& command) {
   const Model model = buildModel(measurements, diagnosis.with);
   const CalibrationResult result = calibrate(measurements, model);
   const std::string resultFile = (folder / "result.json").string(), reportFile = (folder / "report.html").string();
-  writeJson(resultJson({measurements, model, result}, given.inputs), resultFile);
+  writeJson(resultJson({measurements, model, result}, given.inputs.placedBeside(resultFile)), resultFile);
   printText("\nCalibrated {}:\n", diagnosis.suggested.empty() ? "as it is, nothing added" : "with that added");
   printCalibration({measurements, model, result});
   const TrueEffect& hidden = truth.effects.back();

@@ -97,7 +97,7 @@ int diagnose(DiagnoseCommand& command) {
   if (!command.json.empty()) {
     nlohmann::json json = diagnosisJson(diagnosis, command.full ? allOfThem : drawable);
     json["next"] = nextPosesJson(next, given.robot);
-    json["inputs"] = {{"sets", given.inputs.sets}, {"sha256", given.inputs.sha256}};
+    json["inputs"] = toJson(given.inputs.placedBeside(command.json));
     writeJson(json, command.json);
   }
   if (!command.poses.empty() && !next.poses.empty()) {

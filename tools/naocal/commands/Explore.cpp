@@ -158,7 +158,9 @@ void ExploreLoop::printCandidates() const {
 
 void ExploreLoop::save() const {
   if (!file_.empty()) {
-    writeJson(sessionJson(session_), file_);
+    Session kept = session_;
+    kept.inputs = session_.inputs.placedBeside(file_);
+    writeJson(sessionJson(kept), file_);
   }
 }
 

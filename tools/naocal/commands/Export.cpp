@@ -1,4 +1,5 @@
 #include "commands/Commands.hpp"
+#include "console/CommandLine.hpp"
 #include "console/PrintText.hpp"
 #include "console/RobotCalibrationFile.hpp"
 
@@ -111,6 +112,7 @@ void addExport(CLI::App& app) {
       "degrees");
   exporter->add_option("--set", command->posture.sets,
                        "folder of the captures, where it is no longer as the result names it");
+  addLookIn(*exporter, command->posture.lookIn);
   exporter->callback([command] { exportCalibration(*command); });
 }
 

@@ -1,4 +1,5 @@
 #include "commands/Commands.hpp"
+#include "console/CommandLine.hpp"
 #include "console/OutputFiles.hpp"
 #include "console/PrintText.hpp"
 
@@ -8,6 +9,7 @@
 #include <fmt/core.h>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace naocal {
 
@@ -15,6 +17,7 @@ namespace {
 
 struct ReportCommand {
   std::string file, output;
+  std::vector<std::string> lookIn;
 };
 
 } // namespace
@@ -32,8 +35,11 @@ void addReport(CLI::App& app) {
   reporter->add_option("-o,--output", command->output, "the page to write")
       ->required()
       ->check(replaceableFile(std::string{pageFormat}));
+  addLookIn(*reporter, command->lookIn);
   reporter->callback([command] {
-    const std::string page = renderReport(command->file);
+    const std::string page =
+        renderReport(command->file, {{command->lookIn.begin(), command->lookIn.end()},
+                                     [](const std::string& sentence) { printText(stderr, "{}\n", sentence); }});
     writePage(command->output, page);
     printText("written to {} ({:.1f} MB): open it in any browser\n", command->output, 1e-6 * double(page.size()));
   });

@@ -65,12 +65,10 @@ int solve(SolveCommand& command) {
     }
   }
   const CalibrationResult result = calibrate(measurements, model, command.options);
-  const auto json = resultJson({measurements, model, result}, given.inputs);
-  if (!command.output.empty()) {
-    writeJson(json, command.output);
-  }
-  if (!command.json.empty()) {
-    writeJson(json, command.json);
+  for (const std::string& file : {command.output, command.json}) {
+    if (!file.empty()) {
+      writeJson(resultJson({measurements, model, result}, given.inputs.placedBeside(file)), file);
+    }
   }
   if (command.json != "-") {
     printCalibration({measurements, model, result});

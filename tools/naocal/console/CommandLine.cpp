@@ -4,6 +4,7 @@
 #include "data/CaptureSetFile.hpp"
 #include "io/InputError.hpp"
 
+#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <fmt/core.h>
 #include <fmt/format.h>
@@ -28,6 +29,14 @@ Shard parseShard(const std::string& text) {
     throw InputError{fmt::format("--shard: expected i/n with i from 0 to n - 1, found \"{}\"", text)};
   }
   return shard;
+}
+
+void addLookIn(CLI::App& command, std::vector<std::string>& folders) {
+  command
+      .add_option("--look-in", folders,
+                  "a folder to search for captures that were moved; they are recognised by their SHA-256")
+      ->check(CLI::ExistingDirectory)
+      ->allow_extra_args(false);
 }
 
 LoadedSets loadSets(const std::vector<std::string>& folders, bool skipBad) {

@@ -8,6 +8,10 @@
 #include <string>
 #include <vector>
 
+namespace CLI {
+class App;
+}
+
 namespace naocal {
 
 /// Options given on the command line, for suggesting the next command.
@@ -27,6 +31,9 @@ struct Shard {
 
 /// Parses "2/8", the third of eight parts. Throws InputError for anything else.
 Shard parseShard(const std::string& text);
+
+/// Adds --look-in: folders in which moved captures are searched for.
+void addLookIn(CLI::App& command, std::vector<std::string>& folders);
 
 inline constexpr std::size_t manyCaptures = 2000; // from this number on, a sentence says that it takes long
 

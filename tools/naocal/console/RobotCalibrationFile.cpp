@@ -2,7 +2,9 @@
 #include "console/PrintText.hpp"
 
 #include "calibration/Prediction.hpp"
+#include "console/PrintText.hpp"
 #include "data/CaptureSetFile.hpp"
+#include "data/SetSearch.hpp"
 #include "dialects/ModelCalibration.hpp"
 #include "effects/Catalogue.hpp"
 #include "io/Files.hpp"
@@ -50,19 +52,31 @@ bool bendsJoints(const std::string& term) {
   return true; // an own effect
 }
 
-/// The sets of a result; empty if one is not there, or is not as it was.
-std::vector<CaptureSet> findSets(const StoredResult& result, const PostureOptions& options) {
-  std::vector<CaptureSet> sets;
-  for (std::size_t i = 0; i < result.inputs.sets.size() && options.sets.empty(); ++i) {
-    const std::filesystem::path file = std::filesystem::path{result.inputs.sets[i]} / "captures.json";
-    const bool isSame = std::filesystem::exists(file) && i < result.inputs.sha256.size() &&
-                        sha256(readFile(file)) == result.inputs.sha256[i];
-    if (!isSame) {
+/// The folders of a result's sets; empty if one is not found as it was. Tells on standard error which were moved.
+std::vector<std::string> findSets(const StoredResult& result, const std::string& file, const PostureOptions& options) {
+  if (!options.sets.empty()) {
+    return options.sets;
+  }
+  const SetSearch search{file, {options.lookIn.begin(), options.lookIn.end()}};
+  std::vector<std::string> folders;
+  for (std::size_t i = 0; i < result.inputs.sets.size(); ++i) {
+    const SoughtSet sought = i < result.inputs.sha256.size() && !result.inputs.sha256[i].empty()
+                                 ? findSet({result.inputs.sets[i], result.inputs.sha256[i]}, search)
+                                 : SoughtSet{};
+    if (!sought.folder) {
       return {};
     }
-    sets.push_back(readCaptureSet(result.inputs.sets[i], BadCapturePolicy::skip).set);
+    if (!sought.sentence.empty()) {
+      printText(stderr, "{}\n", sought.sentence);
+    }
+    folders.push_back(sought.folder->string());
   }
-  for (const std::string& folder : options.sets) {
+  return folders;
+}
+
+std::vector<CaptureSet> readSets(const std::vector<std::string>& folders) {
+  std::vector<CaptureSet> sets;
+  for (const std::string& folder : folders) {
     sets.push_back(readCaptureSet(folder, BadCapturePolicy::skip).set);
   }
   return sets;
@@ -96,14 +110,15 @@ LoadedCalibration fromResult(const nlohmann::json& document, const std::string& 
   loaded.result = parseResult(document, file);
   requireUsable(loaded.result, file);
   loaded.robot = loadRobot(configurationDirectory(), loaded.result.robot);
-  const std::vector<CaptureSet> sets = findSets(loaded.result, options);
+  loaded.folders = findSets(loaded.result, file, options);
+  const std::vector<CaptureSet> sets = readSets(loaded.folders);
   const auto& terms = loaded.result.terms;
   if (!sets.empty()) {
     evaluate(sets, options, loaded);
   } else if (const auto needs = std::find_if(terms.begin(), terms.end(), bendsJoints); needs != terms.end()) {
     throw InputError{
         fmt::format("{}: its model has {}, whose share at the standing pose follows from the captures, but "
-                    "{} is not there as it was; name its folder with --set",
+                    "{} is not there as it was; name its folder with --set, or one to search with --look-in",
                     file, *needs, loaded.result.inputs.sets.empty() ? "no set" : loaded.result.inputs.sets.front())};
   } else {
     loaded.calibration = calibrationFromValues(loaded.result.values, {});

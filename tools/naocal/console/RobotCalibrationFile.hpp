@@ -17,14 +17,16 @@ struct LoadedCalibration {
   std::vector<std::string> unlearned;    // joints left out: hardly learned (isLearned)
   std::vector<std::string> otherTerms;   // of a result: effects that no constant of a joint or mount expresses
   StoredResult result;                   // of an imported file: empty
+  std::vector<std::string> folders;      // of the captures, where they are now; empty: not found, or not needed
   Robot robot;
   bool lensIsEstimated = false; // an effect of the model changes a lens
 };
 
 /// Options on where a result's captures are and which posture its constants are for.
 struct PostureOptions {
-  std::vector<std::string> sets; // folders; empty: those that the result names
-  std::string pose;              // a .pose file; empty: standing with bent knees
+  std::vector<std::string> sets;   // folders; empty: those that the result names
+  std::string pose;                // a .pose file; empty: standing with bent knees
+  std::vector<std::string> lookIn; // folders to search for moved captures
 };
 
 /// Reads the file. A result whose model has further effects at joints needs its captures, for o - delta at the posture.

@@ -4,6 +4,7 @@ import {px} from "naocal/lib/format.js";
 import {on} from "../core/connection.js";
 import {saveSession} from "../core/session-export.js";
 import {act, notice, state} from "../core/state.js";
+import {missingCaptures} from "../history/missing-captures.js";
 
 let typed = "", typedOthers = "";
 const kinds = {
@@ -26,7 +27,7 @@ on("made", async ({file}) => {
 
 export function showFiles(parent) {
   const {set, compared} = state, open = state.analysis;
-  renew(parent, element("h1", {}, "Files"),
+  renew(parent, element("h1", {}, "Files"), missingCaptures(() => showFiles(parent)),
     element("h2", {}, "Open"), element("p", {class: "soft"}, open && set ? "Open now: " + set.names.join(", ") + "." : "Nothing is open.", " A capture set, a recording of the robot, a result, a diagnosis, a session.json, or a saved model.json with its captures; nothing in them is changed. One path per line."),
     paths("open", "path of what to open", typed, value => { typed = value; }, list => act({do: "open", paths: list}), "Open"),
     ...(open ? [element("h2", {}, "Compare with captures not used for the calibration"), paths("compare", "path of other captures", typedOthers, value => { typedOthers = value; }, list => act({do: "compare", paths: list}), "Compare"),

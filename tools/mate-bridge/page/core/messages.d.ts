@@ -124,6 +124,58 @@ export interface StartMessage {
   robot: {state: "off" | "running" | "ending" | "failed", address: string, sentence: string};
 }
 
+/** A run as it is recorded: a calibration, or a result that was applied. */
+export interface RecordedRun {
+  id: string;
+  /** "2026-02-14T10:05:00Z" */
+  time: string;
+  robot: {body: string, head: string, bodyId: string, headId: string};
+  kind: string;
+  by: string;
+  /** What became of its numbers. */
+  words: string;
+  undone: string | null;
+  /** [px] */
+  errorBefore?: number;
+  errorAfter?: number;
+  heldOut?: boolean;
+  captures?: string;
+  result?: string;
+  offsets?: Record<string, {offset: number, sigma: number}>;
+}
+
+/** A joint's offset over time [rad]. */
+export interface JointOffsets {
+  joint: string;
+  sentence: string;
+  offsets: {run: string, time: string, offset: number, sigma: number, compared: boolean,
+    change?: {since: string, value: number, sigma: number, pValueOfAllJoints: number, jump: boolean, afterFall: boolean, words: string}}[];
+}
+
+export interface RobotRuns {
+  body: string;
+  name: string;
+  sentence: string;
+  runs: RecordedRun[];
+  falls: string[];
+  joints: JointOffsets[];
+}
+
+/** "history": the runs of all robots. */
+export interface HistoryMessage {
+  rule: string;
+  folder: string;
+  broken: string[];
+  robots: RobotRuns[];
+}
+
+/** "missing": captures that were not found; `paths` or `run` is what was to be opened. */
+export interface MissingMessage {
+  sentence: string;
+  paths?: string[];
+  run?: string;
+}
+
 /** Messages are null until the bridge has sent them; the panel shows a view of the captures only with set, ladder and fit. */
 export interface PanelState {
   analysis: boolean;
@@ -140,6 +192,8 @@ export interface PanelState {
   next: NextMessage | null;
   compared: ComparedMessage | null;
   start: StartMessage | null;
+  history: HistoryMessage | null;
+  missing: MissingMessage | null;
   /** The bridge's present task. */
   work: string | null;
   robots: Map<string, RobotEntry>;

@@ -1,4 +1,4 @@
-#include "StateFolder.hpp"
+#include "io/StateFolder.hpp"
 
 #include "io/InputError.hpp"
 

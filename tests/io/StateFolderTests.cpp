@@ -1,4 +1,4 @@
-#include "StateFolder.hpp"
+#include "io/StateFolder.hpp"
 
 #include <catch2/catch.hpp>
 #include <cstdlib>

@@ -1,0 +1,90 @@
+#include "brain/CalibrationRuns.hpp"
+
+#include "dialects/SavedCalibration.hpp"
+#include "io/Files.hpp"
+#include "io/JsonReader.hpp"
+#include "runs/RobotHistory.hpp"
+#include "runs/RunFile.hpp"
+#include "runs/RunFolder.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace naocal {
+
+void to_json(nlohmann::json& out, const PublishedRuns& published) {
+  out = nlohmann::json::array();
+  for (const Run& run : published.runs) {
+    out.push_back({{"id", run.id}, {"run", runJson(run)}});
+  }
+}
+
+void CalibrationRuns::recordCalibration(const Calibration& calibration) {
+  record([&] {
+    Run run = begin(calibration.kind);
+    run.outcome = calibration.outcome;
+    run.errorBefore = calibration.error.before;
+    run.errorAfter = calibration.error.after;
+    run.heldOut = true;
+    const std::filesystem::path folder = std::filesystem::absolute(calibration.folder), solved = folder / "first";
+    const std::string result = (solved / "result.json").string();
+    run.captures = folder.string();
+    run.result = result;
+    run.sha256 = sha256(readFile(solved / "captures.json"));
+    run.offsets = offsetsOfResult(parseJson(readFile(result), result), result);
+    run.set = readConfiguredOffsets(configuration_);
+    return run;
+  });
+}
+
+void CalibrationRuns::recordUndo(const std::map<std::string, double>& before) {
+  record([&] {
+    Run run = begin(std::string{undoKind});
+    const RecordedRuns recorded = RunFolder{recording_.folder}.read();
+    run.undoes = findRunOf(before, recording_.robot, recorded.runs).value_or("");
+    run.set = readConfiguredOffsets(configuration_);
+    return run;
+  });
+}
+
+void CalibrationRuns::recordFall() {
+  record([&] { return begin(std::string{fallKind}); });
+}
+
+void CalibrationRuns::publishNewest() {
+  if (recording_.folder.empty()) {
+    return;
+  }
+  PublishedRuns newest;
+  try {
+    for (Run& run : RunFolder{recording_.folder}.read().runs) {
+      if (run.robot.bodyId == recording_.robot.bodyId) {
+        newest.runs.push_back(std::move(run));
+      }
+    }
+  } catch (const std::exception& error) {
+    recording_.log(fmt::format("The robot's earlier runs are not shown: {}.", error.what()));
+  }
+  const std::size_t left = newest.runs.size() - std::min(newest.runs.size(), mostPublished);
+  newest.runs.erase(newest.runs.begin(), newest.runs.begin() + static_cast<std::ptrdiff_t>(left));
+  published_.write(std::move(newest));
+}
+
+Run CalibrationRuns::begin(std::string kind) const {
+  return {.time = presentTime(), .robot = recording_.robot, .kind = std::move(kind), .by = "naocal-robot"};
+}
+
+void CalibrationRuns::record(const std::function<Run()>& make) {
+  if (recording_.folder.empty()) {
+    return;
+  }
+  try {
+    RunFolder{recording_.folder}.add(make());
+    publishNewest();
+  } catch (const std::exception& error) {
+    recording_.log(fmt::format("This run is not recorded: {}.", error.what()));
+  }
+}
+
+} // namespace naocal

@@ -1,0 +1,23 @@
+// Asks where captures are that a document or a run names and that were not found.
+import {button, element} from "naocal/lib/dom.js";
+import {act, state} from "../core/state.js";
+
+let typed = "";
+
+// The question; null if nothing is missing. `done` redraws.
+export function missingCaptures(done) {
+  const {missing} = state;
+  if (!missing) return null;
+  const forget = () => { state.missing = null; done(); };
+  const field = element("input", {type: "text", id: "lookIn", class: "code", spellcheck: "false", "aria-label": "folder to search for the captures", placeholder: "/path/to/search"});
+  field.value = typed;
+  field.addEventListener("input", () => { typed = field.value; });
+  return element("form", {class: "confirm asks missing", onsubmit: event => {
+    event.preventDefault();
+    if (!typed.trim()) return;
+    const lookIn = [typed.trim()];
+    if (act(missing.run ? {do: "openRun", id: missing.run, lookIn} : {do: "open", paths: missing.paths, lookIn})) forget();
+  }}, element("h2", {}, "Where are the captures now?"), element("p", {}, missing.sentence.replace(/;? ?say where[^;]*$/, "") + "."),
+  element("p", {class: "soft"}, "Name a folder: it and the folders below it are searched, and the captures recognised by their SHA-256."),
+  element("p", {class: "paths"}, field, element("span", {class: "controls"}, element("button", {type: "submit", class: "main", disabled: Boolean(state.work)}, "Look there"), button("Not now", forget))));
+}
