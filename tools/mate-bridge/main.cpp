@@ -4,6 +4,8 @@
 #include "server/PageFiles.hpp"
 #include "start/RecentFiles.hpp"
 
+#include "command-line/OptionChecks.hpp"
+#include "command-line/Parsing.hpp"
 #include "io/Failure.hpp"
 #include "io/Files.hpp"
 #include "io/InputError.hpp"
@@ -47,7 +49,8 @@ std::filesystem::path runsFolder(const std::string& state) {
 
 int main(int argc, char** argv) {
   naocal::tuneAllocator();
-  CLI::App app{"The panel: look at a calibration and at robots in a browser of this computer."};
+  CLI::App app{"The panel: look at a calibration and at robots in a browser of this computer.", "mate-bridge"};
+  naocal::useHelp(app);
   app.footer("Examples: mate-bridge captures/\n          mate-bridge result.json\n          mate-bridge "
              "diagnosis.json\n          mate-bridge --robot nao21");
   std::vector<std::string> sets, robots;
@@ -55,27 +58,34 @@ int main(int argc, char** argv) {
   std::vector<std::string> lookIn;
   std::string listen = "127.0.0.1:0";
   bool noOpen = false;
-  app.add_option(
-      "SET", sets,
-      "capture sets, a recording of the robot, or a result, diagnosis or session together with its captures");
+  app.add_option("SET", sets,
+                 "capture sets, a recording of the robot, or a result, diagnosis or session together with its captures")
+      ->type_name("FILE");
   app.add_option("--session", session,
                  "keeps the models that are tried with these captures in this file, and goes on from it; so does "
-                 "'naocal explore'");
+                 "'naocal explore'")
+      ->type_name("FILE");
   app.add_option("--robot", robots, "a robot: HOST, HOST:PORT (its base port), or the folder of its UNIX sockets")
+      ->type_name("HOST")
       ->allow_extra_args(false);
   app.add_option("--listen", listen, "127.0.0.1:PORT where the panel is served; 0 takes any port")
+      ->type_name("ADDRESS")
       ->capture_default_str();
   app.add_option("--look-in", lookIn,
                  "a folder to search for captures that were moved; they are recognised by their SHA-256")
-      ->check(CLI::ExistingDirectory)
+      ->type_name("FOLDER")
+      ->check(naocal::existingFolder())
       ->allow_extra_args(false);
   app.add_option("--state", state,
                  "folder where runs of connected robots are recorded, in runs/; $XDG_STATE_HOME/naocal or "
-                 "~/.local/state/naocal if not given");
+                 "~/.local/state/naocal if not given")
+      ->type_name("FOLDER");
   app.add_flag("--no-open", noOpen, "only print the address");
-  app.set_version_flag("--version", NAOCAL_VERSION);
+  app.set_version_flag("--version", NAOCAL_VERSION, "print the version");
   try {
-    app.parse(argc, argv);
+    if (const auto done = naocal::parseCommandLine(app, argc, argv)) {
+      return *done;
+    }
     naocal::PanelOptions options{std::nullopt, robots, portOf(listen), sets, naocal::recentFilesFile(), runsFolder(state)};
     options.lookIn.assign(lookIn.begin(), lookIn.end());
     if (!session.empty()) {
@@ -102,13 +112,6 @@ int main(int argc, char** argv) {
     }
     panel.run();
     return 0;
-  } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) {
-      return app.exit(error); // --help, --version
-    }
-    fmt::print(stderr, "mate-bridge: {} (see 'mate-bridge --help')\n",
-               naocal::printableText(error.what(), naocal::longestSentence));
-    return 2;
   } catch (const std::exception& error) {
     const naocal::Failure failure = naocal::describeFailure(error);
     fmt::print(stderr, "mate-bridge: {}\n", naocal::printableText(failure.sentence, naocal::longestSentence));

@@ -1,5 +1,7 @@
 #include "Hardware.hpp"
 #include "RobotProcess.hpp"
+#include "command-line/OptionChecks.hpp"
+#include "command-line/Parsing.hpp"
 #include "data/BoardFile.hpp"
 #include "data/BoardListFile.hpp"
 #include "hardware/simulated/SimulatedPlan.hpp"
@@ -148,43 +150,54 @@ int main(int argc, char** argv) {
   naocal::Options options;
   CLI::App app{"The process on the robot: motion and brain threads, HULKs' debug and configuration sockets.",
                "naocal-robot"};
-  app.set_version_flag("--version", NAOCAL_VERSION);
+  naocal::useHelp(app);
+  app.set_version_flag("--version", NAOCAL_VERSION, "print the version");
   app.footer("Example: naocal-robot --hardware simulated --recordings /tmp/recordings");
   app.add_option("--hardware", options.hardware, "the robot behind it")
-      ->check(CLI::IsMember{{"simulated", "v6", "v5", "replay"}})
+      ->check(naocal::oneOf(std::vector<std::string>{"simulated", "v6", "v5", "replay"}))
       ->capture_default_str();
   app.add_option("--seed", options.seed, "of a simulated robot's offsets and mounts")->capture_default_str();
   app.add_option("--recording", options.recording, "what to replay: a calibration's folder, or a capture set")
-      ->check(CLI::ExistingDirectory);
+      ->type_name("FOLDER")
+      ->check(naocal::existingFolder());
   app.add_option("--simulation", options.simulation,
                  "a file that says more of the simulated robot: ranges of its errors and gears' play, boards, cameras")
-      ->check(CLI::ExistingFile);
+      ->type_name("FILE")
+      ->group(naocal::expertOptions)
+      ->check(naocal::existingFile());
   app.add_option(
          "--boards", options.boards,
          "boards file of 'naocal board', with the real sizes of the boards on the floor; default: as configured")
-      ->check(CLI::ExistingFile);
+      ->type_name("FILE")
+      ->check(naocal::existingFile());
   app.add_option("--configuration", options.process.configuration,
                  "folder with location/, drawings/ and poses/; it is only read")
-      ->check(CLI::ExistingDirectory);
+      ->type_name("FOLDER")
+      ->check(naocal::existingFolder());
   app.add_option("--state", options.process.state,
                  "folder where what the robot learns is saved, and read from again; $XDG_STATE_HOME/naocal or "
-                 "~/.local/state/naocal if not given; a replay has one of its own");
+                 "~/.local/state/naocal if not given; a replay has one of its own")
+      ->type_name("FOLDER");
   app.add_option("--recordings", options.process.recordings, "folder for the captures of calibrations")
+      ->type_name("FOLDER")
       ->capture_default_str();
   app.add_option("--base-port", options.process.basePort,
                  "of its sockets, instead of sdk.json's: debug one above it, configuration two")
-      ->check(CLI::Range{1, 65533});
-  app.add_option("--location", options.process.location, "layer of the configuration beside the default");
+      ->type_name("PORT")
+      ->group(naocal::expertOptions)
+      ->check(naocal::wholeNumber(1, 65533));
+  app.add_option("--location", options.process.location, "layer of the configuration beside the default")
+      ->type_name("NAME")
+      ->group(naocal::expertOptions);
   const auto fail = [](std::string_view sentence, int exitCode) {
     naocal::say(fmt::format("naocal-robot: {}", naocal::printableText(sentence, naocal::longestSentence)));
     return exitCode;
   };
   try {
-    app.parse(argc, argv);
+    if (const auto done = naocal::parseCommandLine(app, argc, argv)) {
+      return *done;
+    }
     return naocal::run(options);
-  } catch (const CLI::ParseError& error) {
-    return error.get_exit_code() == 0 ? app.exit(error) // --help, --version
-                                      : fail(fmt::format("{} (see 'naocal-robot --help')", error.what()), 2);
   } catch (const naocal::ConfigurationError& error) {
     return fail(error.what(), 2);
   } catch (const std::exception& error) {

@@ -60,19 +60,19 @@ std::span<const Dialect> dialects() {
   return knownDialects;
 }
 
-std::string dialectNames() {
-  std::vector<std::string_view> names;
+std::vector<std::string> dialectNames() {
+  std::vector<std::string> names;
   for (const Dialect& dialect : knownDialects) {
-    names.push_back(dialect.name);
+    names.emplace_back(dialect.name);
   }
-  return fmt::format("{}", fmt::join(names, ", "));
+  return names;
 }
 
 const Dialect& findDialect(const std::string& name) {
   const auto found = std::find_if(knownDialects.begin(), knownDialects.end(),
                                   [&](const Dialect& dialect) { return dialect.name == name; });
   if (found == knownDialects.end()) {
-    throw InputError{fmt::format("expected one of {}, found \"{}\"", dialectNames(), name)};
+    throw InputError{fmt::format("expected one of {}, found \"{}\"", fmt::join(dialectNames(), ", "), name)};
   }
   return *found;
 }

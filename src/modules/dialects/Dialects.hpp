@@ -10,8 +10,8 @@ namespace naocal {
 std::span<const Dialect> dialects();
 const Dialect& findDialect(const std::string& name);
 
-/// Names of all dialects, with commas.
-std::string dialectNames();
+/// Names of all dialects.
+std::vector<std::string> dialectNames();
 
 /// What of a calibration a dialect's files have no place for, as words: "the shift of camera top".
 std::vector<std::string> unwritten(const Dialect& dialect, const RobotCalibration& calibration, const Robot& robot);

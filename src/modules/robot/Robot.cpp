@@ -68,9 +68,12 @@ std::filesystem::path configurationDirectory() {
   }
   std::error_code unreadable;
   const auto program = std::filesystem::read_symlink("/proc/self/exe", unreadable);
-  const auto installed = program.parent_path().parent_path() / "share" / "naocal" / "configuration";
-  if (!unreadable && std::filesystem::is_directory(installed)) {
-    return installed;
+  const auto above = program.parent_path().parent_path(); // the prefix of bin, or its libexec
+  for (const auto& prefix : {above, above.parent_path()}) {
+    const auto installed = prefix / "share" / "naocal" / "configuration";
+    if (!unreadable && std::filesystem::is_directory(installed)) {
+      return installed;
+    }
   }
   return NAOCAL_SOURCE_CONFIGURATION;
 }

@@ -5,6 +5,7 @@
 #include "console/RecordApplied.hpp"
 #include "console/RobotCalibrationFile.hpp"
 
+#include "command-line/OptionChecks.hpp"
 #include "dialects/ModelCalibration.hpp"
 #include "dialects/SavedCalibration.hpp"
 #include "framework/configuration/Configuration.hpp"
@@ -209,28 +210,42 @@ void apply(const ApplyCommand& command) {
 
 void addApply(CLI::App& app) {
   auto command = std::make_shared<ApplyCommand>();
-  CLI::App* applier =
-      app.add_subcommand("apply", "writes a result into a robot's configuration (HULKs' layout), and takes it back");
+  CLI::App* applier = app.get_subcommand("apply");
   applier->footer(
       "Example: naocal apply result.json --configuration home/configuration\n"
       "Shows what changes, then writes both files or none. Joints that are less than 50 % learned keep their\n"
       "values. Restart naocal-robot, or copy the files to the robot, for it to take effect.");
   applier->add_option("RESULT", command->result, "a result of 'naocal solve', or a file of 'naocal import'")
+      ->type_name("FILE")
       ->required();
-  applier->add_option("--configuration", command->configuration, "folder with location/ in it")->required();
+  applier->add_option("--configuration", command->configuration, "folder with location/ in it")
+      ->type_name("FOLDER")
+      ->required();
   applier->add_flag("--undo", command->undo, "restore both files as they were before the last save");
   applier->add_flag("--dry-run", command->dryRun, "show what would change and write nothing");
-  applier->add_option("--at", command->posture.pose,
-                      "a .pose file: the posture at which the constants are right; default: standing, knees bent by 50 "
-                      "degrees");
-  applier->add_option("--set", command->posture.sets,
-                      "folder of the captures, where it is no longer as the result names it");
+  applier
+      ->add_option("--at", command->posture.pose,
+                   "a .pose file: the posture at which the constants are right; default: standing, knees bent by 50 "
+                   "degrees")
+      ->type_name("FILE");
+  applier
+      ->add_option("--set", command->posture.sets,
+                   "folder of the captures, where it is no longer as the result names it")
+      ->type_name("FOLDER")
+      ->group(expertOptions);
   addLookIn(*applier, command->posture.lookIn);
-  applier->add_option("--head", command->names.head, "the head's name; default: by id_map.json from its serial number");
-  applier->add_option("--body", command->names.body, "the body's name; default: by id_map.json from its serial number");
-  applier->add_option("--location", command->location, "folder below location/; default: that of sdk.json");
-  applier->add_option("--state", command->state, stateHelp);
+  applier->add_option("--head", command->names.head, "the head's name; default: by id_map.json from its serial number")
+      ->type_name("NAME")
+      ->group(expertOptions);
+  applier->add_option("--body", command->names.body, "the body's name; default: by id_map.json from its serial number")
+      ->type_name("NAME")
+      ->group(expertOptions);
+  applier->add_option("--location", command->location, "folder below location/; default: that of sdk.json")
+      ->type_name("NAME")
+      ->group(expertOptions);
+  applier->add_option("--state", command->state, stateHelp)->type_name("FOLDER")->group(expertOptions);
   applier->add_option("--json", command->json, "write what changes as JSON to a file, or - for standard output")
+      ->type_name("FILE")
       ->check(replaceableFile("naocal-apply"));
   applier->callback([command] { apply(*command); });
 }

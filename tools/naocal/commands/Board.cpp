@@ -1,7 +1,9 @@
 #include "commands/Commands.hpp"
 #include "console/OutputFiles.hpp"
+#include "console/PdfFiles.hpp"
 #include "console/PrintText.hpp"
 
+#include "command-line/OptionChecks.hpp"
 #include "data/BoardFile.hpp"
 #include "io/Files.hpp"
 #include "io/InputError.hpp"
@@ -193,37 +195,54 @@ void BoardCommand::run() const {
 
 void addBoard(CLI::App& app) {
   const auto command = std::make_shared<BoardCommand>();
-  CLI::App* const board = app.add_subcommand("board", "draws ChArUco boards to print, and keeps the size of the print");
+  CLI::App* const board = app.get_subcommand("board");
   board->add_option("-o,--output", command->output, "BOARD.pdf, to be written: one page per board, or sheet of it")
+      ->type_name("FILE")
       ->check(replaceablePdf(boardPdfCreator));
   board
       ->add_option("--boards", command->boardsFile,
                    "boards file to draw; it is written if it does not exist, and holds the real sizes")
+      ->type_name("FILE")
       ->check(replaceableFile(std::string{boardListFormat}));
   board
       ->add_option("--measured", command->measured,
                    "real lengths of the two rulers on the print [m], along the rows and along the columns, such as "
                    "0.1995,0.1990; of one alone: for both; needs --boards")
+      ->type_name("METRES")
       ->delimiter(',')
       ->expected(1, 2)
-      ->check(CLI::PositiveNumber);
-  board->add_option("--only", command->only, "ids of the boards to print or measure; default: all")->delimiter(',');
-  board->add_option("--paper", command->paper, "a4, a3, a2, a1 or a0: of the sheet, and so of the squares")
+      ->check(positiveNumber());
+  board->add_option("--only", command->only, "ids of the boards to print or measure; default: all")
+      ->type_name("IDS")
+      ->delimiter(',');
+  board->add_option("--paper", command->paper, "of the sheet, and so of the squares: a4, a3, a2, a1 or a0")
+      ->type_name("SIZE")
       ->capture_default_str();
-  board->add_option("--tile", command->tile, "spread each board over several sheets of this paper, such as a4");
+  board->add_option("--tile", command->tile, "spread each board over several sheets of this paper, such as a4")
+      ->type_name("SIZE");
   std::vector<CLI::Option*> ofPattern{
       board->add_option("--ids", command->ids, "of the boards to draw, one page each")
+          ->type_name("IDS")
           ->delimiter(',')
           ->capture_default_str(),
-      board->add_option("--squares", command->squares, "COLUMNSxROWS")->capture_default_str(),
-      board->add_option("--square-millimetres", command->squareMillimetres, "default: as large as the paper allows")
-          ->check(CLI::Range(5.0, 1000.0)),
-      board->add_option("--marker-millimetres", command->markerMillimetres, "default: three quarters of a square")
-          ->check(CLI::Range(1.0, 1000.0)),
-      board->add_option("--dictionary", command->dictionary, "one of OpenCV's")->capture_default_str(),
-      board->add_option("--first-marker", command->firstMarker, "of the first board; the others' follow")
+      board->add_option("--squares", command->squares, "COLUMNSxROWS")
+          ->type_name("COLUMNSxROWS")
           ->capture_default_str(),
-      board->add_flag("--legacy", command->legacy, "layout of OpenCV before 4.6, which differs for even row counts")};
+      board->add_option("--square-millimetres", command->squareMillimetres, "default: as large as the paper allows")
+          ->check(number(5.0, 1000.0)),
+      board->add_option("--marker-millimetres", command->markerMillimetres, "default: three quarters of a square")
+          ->group(expertOptions)
+          ->check(number(1.0, 1000.0)),
+      board->add_option("--dictionary", command->dictionary, "of markers, one of OpenCV's")
+          ->type_name("NAME")
+          ->group(expertOptions)
+          ->capture_default_str(),
+      board->add_option("--first-marker", command->firstMarker, "of the first board; the others' follow")
+          ->group(expertOptions)
+          ->check(wholeNumber(0, 1000))
+          ->capture_default_str(),
+      board->add_flag("--legacy", command->legacy, "layout of OpenCV before 4.6, which differs for even row counts")
+          ->group(expertOptions)};
   board->callback([command, ofPattern] {
     command->describesPattern =
         std::any_of(ofPattern.begin(), ofPattern.end(), [](const CLI::Option* option) { return option->count() > 0; });

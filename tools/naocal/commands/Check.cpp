@@ -3,6 +3,7 @@
 #include "console/PrintText.hpp"
 #include "console/Progress.hpp"
 
+#include "command-line/OptionChecks.hpp"
 #include "inspection/CaptureSetCheck.hpp"
 
 #include <CLI/CLI.hpp>
@@ -78,10 +79,11 @@ void printProblems(const CaptureSetCheck& check, bool all) {
 
 void addCheck(CLI::App& app, int& exitCode) {
   const auto command = std::make_shared<CheckCommand>();
-  CLI::App* const checker = app.add_subcommand("check", "lists every problem of a capture set at once");
+  CLI::App* const checker = app.get_subcommand("check");
   checker->footer("Example: naocal check captures/\nExit code: 0 no problem, 3 problems, 2 not a capture set");
-  checker->add_option("SET", command->set, "a folder with captures.json")->required();
+  checker->add_option("SET", command->set, "a folder with captures.json")->type_name("FOLDER")->required();
   checker->add_option("--json", command->json, "write the problems to this file, or - for standard output")
+      ->type_name("FILE")
       ->check(replaceableFile("naocal-check"));
   checker->add_flag("--all", command->all, "print all problems, also where many are alike");
   checker->callback([command, &exitCode] {

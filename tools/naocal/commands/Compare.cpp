@@ -4,6 +4,7 @@
 #include "console/PrintText.hpp"
 
 #include "calibration/Prediction.hpp"
+#include "command-line/OptionChecks.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
@@ -77,12 +78,14 @@ void compareSets(const CompareCommand& command) {
 
 void addCompare(CLI::App& app) {
   auto command = std::make_shared<CompareCommand>();
-  CLI::App* comparer = app.add_subcommand("compare", "measures a result's prediction error on other captures");
+  CLI::App* comparer = app.get_subcommand("compare");
   comparer->footer("Example: naocal compare result.json other-captures/");
-  comparer->add_option("RESULT", command->result, "a result file of 'naocal solve'")->required();
-  comparer->add_option("SET", command->sets, "folders with captures.json")->required();
-  comparer->add_option("--against", command->against, "another result file: which of the two predicts better?");
+  comparer->add_option("RESULT", command->result, "a result file of 'naocal solve'")->type_name("FILE")->required();
+  comparer->add_option("SET", command->sets, "folders with captures.json")->type_name("FOLDER")->required();
+  comparer->add_option("--against", command->against, "another result file: which of the two predicts better?")
+      ->type_name("FILE");
   comparer->add_option("--json", command->json, "write JSON to a file, or - for standard output")
+      ->type_name("FILE")
       ->check(replaceableFile("naocal-compare"));
   comparer->add_flag("--same-place", command->samePlace,
                      "use the placements of boards and feet from the result instead of fitting them");

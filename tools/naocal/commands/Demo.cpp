@@ -6,6 +6,7 @@
 #include "console/PrintText.hpp"
 #include "console/Progress.hpp"
 
+#include "command-line/OptionChecks.hpp"
 #include "data/CaptureSetFile.hpp"
 #include "detect/BoardDetector.hpp"
 #include "diagnosis/DiagnosisFile.hpp"
@@ -143,13 +144,14 @@ int demo(const DemoCommand& command) {
 
 void addDemo(CLI::App& app, int& exitCode) {
   auto command = std::make_shared<DemoCommand>();
-  CLI::App* demonstration = app.add_subcommand(
-      "demo", "the whole way on a simulated robot: pictures, corners, what is missing, offsets, truth, report");
+  CLI::App* demonstration = app.get_subcommand("demo");
   demonstration->footer("Example: naocal demo --seed 7");
-  demonstration->add_option("-o,--output", command->folder, "the folder to write into")->capture_default_str();
+  demonstration->add_option("-o,--output", command->folder, "the folder to write into")
+      ->type_name("FOLDER")
+      ->capture_default_str();
   demonstration->add_option("--seed", command->seed, "another robot for every seed")->capture_default_str();
   demonstration->add_option("--poses", command->poses, "how many poses the robot takes")
-      ->check(CLI::Range(3, 100))
+      ->check(wholeNumber(3, 100))
       ->capture_default_str();
   demonstration->callback([command, &exitCode] { exitCode = demo(*command); });
 }

@@ -3,6 +3,7 @@
 #include "console/OutputFiles.hpp"
 #include "console/PrintText.hpp"
 
+#include "command-line/OptionChecks.hpp"
 #include "data/CaptureSetFile.hpp"
 #include "detect/BoardDetector.hpp"
 #include "io/Files.hpp"
@@ -168,12 +169,17 @@ void detectSet(const DetectCommand& command) {
 
 void addDetect(CLI::App& app) {
   auto command = std::make_shared<DetectCommand>();
-  CLI::App* detector = app.add_subcommand("detect", "finds the boards' corners in a set's pictures");
+  CLI::App* detector = app.get_subcommand("detect");
   detector->footer("Example: naocal detect captures/ --json findings.json");
-  detector->add_option("SET", command->set, "a folder with captures.json and pictures")->required();
+  detector->add_option("SET", command->set, "a folder with captures.json and pictures")
+      ->type_name("FOLDER")
+      ->required();
   detector->add_option("--json", command->json, "what was found and refused, to a file or - for standard output")
+      ->type_name("FILE")
       ->check(replaceableFile("naocal-detection"));
-  detector->add_option("--threads", command->threads, "how many pictures at once")->check(CLI::PositiveNumber);
+  detector->add_option("--threads", command->threads, "how many pictures at once")
+      ->group(expertOptions)
+      ->check(wholeNumber(1, 1024));
   detector->add_flag("--dry-run", command->dryRun, "look, but leave the set as it is");
   detector->add_flag("--skip-bad", command->skipBad, "leave captures whose picture cannot be used as they are");
   detector->callback([command] { detectSet(*command); });

@@ -4,6 +4,7 @@
 #include "console/PrintDiagnosis.hpp"
 #include "console/Progress.hpp"
 
+#include "command-line/OptionChecks.hpp"
 #include "diagnosis/DiagnosisFile.hpp"
 #include "diagnosis/OwnEffect.hpp"
 #include "estimation/ModelFile.hpp"
@@ -121,35 +122,47 @@ int diagnose(DiagnoseCommand& command) {
 
 void addDiagnose(CLI::App& app, int& exitCode) {
   auto command = std::make_shared<DiagnoseCommand>();
-  CLI::App* diagnoser =
-      app.add_subcommand("diagnose", "says where and why the model fails, and which effect is missing");
+  CLI::App* diagnoser = app.get_subcommand("diagnose");
   diagnoser->footer("Example: naocal diagnose captures/ --json diagnosis.json --next poses.json");
-  diagnoser->add_option("SET", command->sets, "folders with captures.json")->required();
+  diagnoser->add_option("SET", command->sets, "folders with captures.json")->type_name("FOLDER")->required();
   diagnoser->add_option("--json", command->json, "the diagnosis as JSON to a file, or - for standard output")
+      ->type_name("FILE")
       ->check(replaceableFile("naocal-diagnosis"));
-  diagnoser->add_flag("--full", command->full,
-                      fmt::format("all points of every figure in the JSON, not only {} of them", drawable));
+  diagnoser
+      ->add_flag("--full", command->full,
+                 fmt::format("all points of every figure in the JSON, not only {} of them", drawable))
+      ->group(expertOptions);
   diagnoser->add_option("--with", command->options.with, "effects that are in the model already: EFFECT@PLACE")
+      ->type_name("EFFECT@PLACE")
       ->delimiter(',');
-  diagnoser->add_option("--without", command->options.without, "leave effects out")->delimiter(',');
-  diagnoser->add_option("--model", command->model, "a model file: further terms, and effects of your own");
+  diagnoser->add_option("--without", command->options.without, "leave effects out")
+      ->type_name("EFFECT@PLACE")
+      ->delimiter(',');
+  diagnoser->add_option("--model", command->model, "a model file: further terms, and effects of your own")
+      ->type_name("FILE");
   diagnoser
       ->add_option("--own,--save-model", command->own,
                    "write the unexplained misfit, if an expression fits it, as a custom effect into this model file")
+      ->type_name("FILE")
+      ->group(expertOptions)
       ->check(replaceableFile("naocal-model"));
   diagnoser->add_option("--next", command->poses, "write poses that would decide what is still open into this file")
+      ->type_name("FILE")
       ->check(replaceableFile("naocal-poses"));
   diagnoser->add_option("--next-count", command->next.count, "number of poses for --next")
-      ->check(CLI::Range(0, 100))
+      ->group(expertOptions)
+      ->check(wholeNumber(0, 100))
       ->capture_default_str();
   diagnoser
       ->add_option("--seed", command->options.candidateTests.seed,
                    "seed of the noise simulations and of the candidate poses")
+      ->group(expertOptions)
       ->capture_default_str();
   diagnoser
       ->add_option("--draws", command->options.candidateTests.draws,
                    "number of noise simulations behind the false-alarm rate")
-      ->check(CLI::Range(19, 100000))
+      ->group(expertOptions)
+      ->check(wholeNumber(19, 100000))
       ->capture_default_str();
   diagnoser->add_flag("--same-place", command->samePlace,
                       "boards and stances with the same id have the same placement in all sets");

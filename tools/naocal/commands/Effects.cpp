@@ -3,6 +3,7 @@
 #include "console/OutputFiles.hpp"
 #include "console/PrintText.hpp"
 
+#include "command-line/OptionChecks.hpp"
 #include "estimation/ModelFile.hpp"
 
 #include <CLI/CLI.hpp>
@@ -88,6 +89,45 @@ std::vector<std::string> neededKeys(const Effect& effect, const Robot& robot) {
   return result;
 }
 
+/// Names of the places on the robot; of boards only "all", for the captures name them.
+std::vector<std::string> namesOfPlaces(const Effect& effect, const Robot& robot) {
+  std::vector<std::string> names;
+  const auto add = [&](const auto& list) {
+    for (const auto& each : list) {
+      names.push_back(each.name);
+    }
+  };
+  switch (effect.placeKind) {
+  case PlaceKind::motor:
+  case PlaceKind::joint:
+    for (std::size_t i = 0; i < robot.joints.size(); ++i) {
+      const bool isPlace = effect.placeKind == PlaceKind::joint || robot.joints[i].motor == i;
+      if (isPlace && effect.onlyAtMotor.value_or(i) == i) {
+        names.push_back(robot.joints[i].name);
+      }
+    }
+    break;
+  case PlaceKind::camera:
+    add(robot.cameras);
+    break;
+  case PlaceKind::sole:
+    add(robot.soles);
+    break;
+  case PlaceKind::length:
+    add(robot.lengths);
+    break;
+  case PlaceKind::board:
+  case PlaceKind::all:
+    if (effect.shared || effect.placeKind == PlaceKind::all) {
+      names.emplace_back("all");
+    }
+    break;
+  case PlaceKind::stance:
+    break;
+  }
+  return names;
+}
+
 nlohmann::json effectsJson(const std::vector<Effect>& effects, const Robot& robot) {
   nlohmann::json list = nlohmann::json::array();
   for (const Effect& effect : effects) {
@@ -98,6 +138,7 @@ nlohmann::json effectsJson(const std::vector<Effect>& effects, const Robot& robo
     list.push_back({{"effect", effect.name},
                     {"what", effect.description},
                     {"at", places(effect)},
+                    {"places", namesOfPlaces(effect, robot)},
                     {"formula", effect.formula},
                     {"unknowns", std::move(unknowns)},
                     {"needs", neededKeys(effect, robot)},
@@ -149,11 +190,13 @@ void listEffects(const EffectsCommand& command) {
 
 void addEffects(CLI::App& app) {
   auto command = std::make_shared<EffectsCommand>();
-  CLI::App* lister = app.add_subcommand("effects", "lists the physical effects that a calibration can estimate");
+  CLI::App* lister = app.get_subcommand("effects");
   lister->footer("Example: naocal effects --model my-model.json");
   lister->add_option("--json", command->json, "write JSON to a file, or - for standard output")
+      ->type_name("FILE")
       ->check(replaceableFile("naocal-effects"));
-  lister->add_option("--model", command->model, "a model file: lists the effects that it defines too");
+  lister->add_option("--model", command->model, "a model file: lists the effects that it defines too")
+      ->type_name("FILE");
   lister->callback([command] { listEffects(*command); });
 }
 

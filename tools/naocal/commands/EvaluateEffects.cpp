@@ -4,6 +4,8 @@
 #include "console/PrintText.hpp"
 #include "console/Progress.hpp"
 #include "console/Subprocess.hpp"
+
+#include "command-line/OptionChecks.hpp"
 #include "estimation/ModelFile.hpp"
 #include "io/Files.hpp"
 #include "io/InputError.hpp"
@@ -172,21 +174,8 @@ private:
   files::path set_, locked_, between_;
 };
 
-files::path thisProgram() {
-  return files::read_symlink("/proc/self/exe");
-}
-
-files::path besideThisProgram(const char* name) {
-  const files::path program = thisProgram().parent_path() / name;
-  if (!files::exists(program)) {
-    throw InputError{
-        fmt::format("{}: expected the program beside naocal, found none; build the target {}", program.string(), name)};
-  }
-  return program;
-}
-
 BlindRun::BlindRun(BlindPlan plan)
-    : plan_{std::move(plan)}, naocal_{thisProgram()}, writer_{besideThisProgram("blind-writer")} {
+    : plan_{std::move(plan)}, naocal_{findProgram("naocal")}, writer_{findProgram("blind-writer")} {
   std::vector<std::string> command = writerCommand();
   command.emplace_back("--size");
   const ProcessResult counted = runProcess(command);
@@ -246,7 +235,7 @@ bool BlindRun::runSet(std::size_t number) const {
 
 /// Runs blind-judge on a folder and prints its output. `json`, `page`: files to write; empty: none.
 void runJudge(const files::path& folder, const std::string& json, const std::string& page) {
-  std::vector<std::string> command{besideThisProgram("blind-judge"), folder};
+  std::vector<std::string> command{findProgram("blind-judge"), folder};
   if (!json.empty()) {
     command.insert(command.end(), {"--json", json});
   }
@@ -350,15 +339,15 @@ void mergeShards(const EvaluateCommand& command) {
 }
 
 void addReports(CLI::App& app, EvaluateCommand& command) {
-  app.add_option("--json", command.json, "the evaluation as JSON to a file, or - for standard output");
-  app.add_option("--page", command.page, "a page with plots");
+  app.add_option("--json", command.json, "the evaluation as JSON to a file, or - for standard output")
+      ->type_name("FILE");
+  app.add_option("--page", command.page, "a page with plots")->type_name("FILE");
 }
 
 } // namespace
 
 void addEvaluate(CLI::App& app) {
-  CLI::App* evaluate =
-      app.add_subcommand("evaluate", "measures how good naocal is on simulated robots with known truth");
+  CLI::App* evaluate = app.get_subcommand("evaluate");
   evaluate->require_subcommand(1);
 
   auto asked = std::make_shared<EvaluateCommand>();
@@ -366,21 +355,28 @@ void addEvaluate(CLI::App& app) {
       evaluate->add_subcommand("effects", "a blind benchmark of the diagnosis: hidden effects, sealed truths");
   effects->footer("Example: naocal evaluate effects --out /tmp/blind --page /tmp/blind.html\n"
                   "Stopped with Ctrl-C or killed, the same command goes on where it was.");
-  effects->add_option("--out", asked->out, "the folder for sets, seals and answers")->required();
+  effects->add_option("--out", asked->out, "the folder for sets, seals and answers")->type_name("FOLDER")->required();
   effects->add_option("--seed", asked->plan.seed, "another benchmark for every seed")->capture_default_str();
   effects->add_option("--controls", asked->plan.controls, "robots without effect, per noise regime")
+      ->check(wholeNumber(0, 1'000'000))
       ->capture_default_str();
   effects->add_option("--sets", asked->plan.sets, "robots per effect and size, and per case otherwise")
+      ->check(wholeNumber(0, 1'000'000))
       ->capture_default_str();
-  effects->add_option("--pictures", asked->plan.pictureShare, "share that is rendered")->check(CLI::Range(0.0, 0.9));
+  effects->add_option("--pictures", asked->plan.pictureShare, "share that is rendered")
+      ->capture_default_str()
+      ->check(number(0.0, 0.9));
   effects->add_option("--only", asked->plan.only, "one group of sets")
-      ->check(CLI::IsMember({"control", "decoy", "catalogue", "pair", "outside", "absorbed", "corrupted", "sized",
-                             "camera", "twin", "event", "jitter"}));
-  effects->add_option("--shard", asked->shard, "i/n: only every n-th set, from the i-th on (counted from 0)");
-  effects->add_option("--jobs", asked->jobs, "sets at a time")->check(CLI::PositiveNumber);
+      ->type_name("GROUP")
+      ->check(oneOf(std::vector<std::string>{"control", "decoy", "catalogue", "pair", "outside", "absorbed",
+                                             "corrupted", "sized", "camera", "twin", "event", "jitter"}));
+  effects->add_option("--shard", asked->shard, "i/n: only every n-th set, from the i-th on (counted from 0)")
+      ->type_name("I/N")
+      ->group(expertOptions);
+  effects->add_option("--jobs", asked->jobs, "sets at a time")->group(expertOptions)->check(wholeNumber(1, 1024));
   effects->add_flag("--full", asked->full,
                     "the full table: 1000 controls per regime, 40 sets per cell, a fifth rendered");
-  effects->add_flag("--keep", asked->plan.keep, "keep the sets after their answers");
+  effects->add_flag("--keep", asked->plan.keep, "keep the sets after their answers")->group(expertOptions);
   addReports(*effects, *asked);
   effects->callback([asked] { evaluateEffects(*asked); });
 
@@ -391,8 +387,10 @@ void addEvaluate(CLI::App& app) {
   merge
       ->add_option("SHARDS", merged->shards,
                    "folders of 'naocal evaluate effects', or files of 'naocal evaluate thesis'")
+      ->type_name("FILE")
       ->required();
-  merge->add_option("--out", merged->out, "the folder that gets all of them, where they are folders");
+  merge->add_option("--out", merged->out, "the folder that gets all of them, where they are folders")
+      ->type_name("FOLDER");
   addReports(*merge, *merged);
   merge->callback([merged] { mergeShards(*merged); });
   addEvaluateNext(*evaluate);

@@ -4,6 +4,7 @@
 #include "console/PrintText.hpp"
 #include "console/Progress.hpp"
 
+#include "command-line/OptionChecks.hpp"
 #include "evaluation/NextPosesTrial.hpp"
 #include "io/InputError.hpp"
 
@@ -143,20 +144,27 @@ void addEvaluateNext(CLI::App& evaluate) {
   CLI::App* next = evaluate.add_subcommand(
       "next", "how many further poses it takes to tell effects apart: proposed ones against random stable ones");
   next->footer("Example: naocal evaluate next --robots 100 --json next.json");
-  next->add_option("--robots", command->robots, "each with a hidden effect")->capture_default_str();
+  next->add_option("--robots", command->robots, "each with a hidden effect")
+      ->check(wholeNumber(1, 1'000'000))
+      ->capture_default_str();
   next->add_option("--seed", command->seed, "of the first robot")->capture_default_str();
   next->add_option("--start", command->options.start, "random poses before the first question")
-      ->check(CLI::Range(4, 1000))
+      ->check(wholeNumber(4, 1000))
       ->capture_default_str();
   next->add_option("--flaw-scale", command->options.flawScale, "of the hidden effect, against a worn NAO's")
-      ->check(CLI::Range(0.01, 10.0))
+      ->group(expertOptions)
+      ->check(number(0.01, 10.0))
       ->capture_default_str();
-  next->add_option("--most", command->options.most, "further poses until it is given up")->capture_default_str();
+  next->add_option("--most", command->options.most, "further poses until it is given up")
+      ->check(wholeNumber(0, 1000))
+      ->capture_default_str();
   next->add_option("--certainty", command->options.certainty, "that is enough")
-      ->check(CLI::Range(0.5, 0.9999))
+      ->group(expertOptions)
+      ->check(number(0.5, 0.9999))
       ->capture_default_str();
-  next->add_option("--jobs", command->jobs, "robots at a time")->check(CLI::PositiveNumber);
+  next->add_option("--jobs", command->jobs, "robots at a time")->group(expertOptions)->check(wholeNumber(1, 1024));
   next->add_option("--json", command->json, "the evaluation as JSON to a file, or - for standard output")
+      ->type_name("FILE")
       ->check(replaceableFile("naocal-next-evaluation"));
   next->callback([command] { evaluateNext(*command); });
 }

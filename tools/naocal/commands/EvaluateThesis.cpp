@@ -1,5 +1,6 @@
 #include "commands/EvaluateThesis.hpp"
 
+#include "command-line/OptionChecks.hpp"
 #include "commands/Commands.hpp"
 #include "console/CommandLine.hpp"
 #include "console/OutputFiles.hpp"
@@ -215,28 +216,33 @@ void addEvaluateThesis(CLI::App& evaluate) {
   thesis->footer("Example: naocal evaluate thesis --sets 1000 --json thesis.json\n"
                  "On a cluster: naocal evaluate thesis --shard $I/$N --json part$I.json, then naocal evaluate merge.");
   thesis->add_option("--sets", command->evaluation.sets, "error sets per cell")
-      ->check(CLI::Range(1, 100'000'000))
+      ->check(wholeNumber(1, 100'000'000))
       ->capture_default_str();
   thesis->add_option("--seed", command->evaluation.seed, "other sets for every seed")->capture_default_str();
   thesis->add_option("--pixel", command->evaluation.pixel, "corner noise where there is any [px]")
-      ->check(CLI::Range(0.001, 100.0))
+      ->group(expertOptions)
+      ->check(number(0.001, 100.0))
       ->capture_default_str();
   thesis
       ->add_option("--others", command->evaluation.others,
                    "sets of table 5.5 for dlib's find_min_global and a particle swarm too, ten times as many for "
                    "Levenberg-Marquardt with numeric derivatives")
-      ->check(CLI::Range(0, 10'000))
+      ->group(expertOptions)
+      ->check(wholeNumber(0, 10'000))
       ->capture_default_str();
   thesis->add_option("--tolerance", command->tolerance, "of the tables that are printed [deg]; the JSON has all")
-      ->check(CLI::Range(toleranceDegrees(0), toleranceDegrees(toleranceCount - 1)))
+      ->check(number(toleranceDegrees(0), toleranceDegrees(toleranceCount - 1)))
       ->capture_default_str();
-  thesis->add_option("--shard", command->shard, "i/n: only every n-th set, from the i-th on (counted from 0)");
-  thesis->add_option("--jobs", command->jobs, "threads")->check(CLI::PositiveNumber);
+  thesis->add_option("--shard", command->shard, "i/n: only every n-th set, from the i-th on (counted from 0)")
+      ->type_name("I/N")
+      ->group(expertOptions);
+  thesis->add_option("--jobs", command->jobs, "threads")->group(expertOptions)->check(wholeNumber(1, 1024));
   thesis
       ->add_option("--json", command->json,
                    "the evaluation as JSON to a file, kept up to date, or - for standard output")
+      ->type_name("FILE")
       ->check(replaceableFile("naocal-evaluation"));
-  thesis->add_flag("--resume", command->resume, "go on with what the file of --json holds");
+  thesis->add_flag("--resume", command->resume, "go on with what the file of --json holds")->group(expertOptions);
   thesis->callback([command] { evaluateThesis(*command); });
 }
 

@@ -239,12 +239,15 @@ void explore(const ExploreCommand& command) {
 
 void addExplore(CLI::App& app) {
   auto command = std::make_shared<ExploreCommand>();
-  CLI::App* explorer = app.add_subcommand("explore", "adds and removes effects by hand, with history");
+  CLI::App* explorer = app.get_subcommand("explore");
   explorer->footer("Example: naocal explore captures/ --session captures.session.json");
-  explorer->add_option("SET", command->sets, "folders with captures.json")->required();
-  explorer->add_option("--session", command->session,
-                       "keeps the ladder in this file, and goes on from it; so does mate-bridge");
-  explorer->add_option("--model", command->model, "a model file: terms to begin with, and effects of your own");
+  explorer->add_option("SET", command->sets, "folders with captures.json")->type_name("FOLDER")->required();
+  explorer
+      ->add_option("--session", command->session,
+                   "keeps the ladder in this file, and goes on from it; so does mate-bridge")
+      ->type_name("FILE");
+  explorer->add_option("--model", command->model, "a model file: terms to begin with, and effects of your own")
+      ->type_name("FILE");
   explorer->callback([command] { explore(*command); });
 }
 

@@ -3,6 +3,7 @@
 #include "console/PrintText.hpp"
 #include "console/RobotCalibrationFile.hpp"
 
+#include "command-line/OptionChecks.hpp"
 #include "dialects/Dialects.hpp"
 #include "io/Files.hpp"
 #include "io/Folders.hpp"
@@ -97,21 +98,30 @@ std::string dialectHelp() {
 
 void addExport(CLI::App& app) {
   auto command = std::make_shared<ExportCommand>();
-  CLI::App* exporter = app.add_subcommand("export", "writes a result as configuration files of other programs");
+  CLI::App* exporter = app.get_subcommand("export");
   exporter->footer("Example: naocal export result.json --to bhuman -o Config/Robots/nao21\nDialects:" + dialectHelp());
   exporter->add_option("RESULT", command->result, "a result of 'naocal solve', or a file of 'naocal import'")
+      ->type_name("FILE")
       ->required();
-  exporter->add_option("--to", command->dialect, dialectNames())->required();
+  exporter->add_option("--to", command->dialect, "the other program, as listed below")
+      ->type_name("DIALECT")
+      ->check(oneOf(dialectNames()))
+      ->required();
   exporter
       ->add_option("-o,--output", command->output,
                    "folder to write to; joints that are less than 50 % learned keep the values of files there")
+      ->type_name("FOLDER")
       ->required();
-  exporter->add_option(
-      "--at", command->posture.pose,
-      "a .pose file: the posture at which the constants are right; default: standing, knees bent by 50 "
-      "degrees");
-  exporter->add_option("--set", command->posture.sets,
-                       "folder of the captures, where it is no longer as the result names it");
+  exporter
+      ->add_option("--at", command->posture.pose,
+                   "a .pose file: the posture at which the constants are right; default: standing, knees bent by 50 "
+                   "degrees")
+      ->type_name("FILE");
+  exporter
+      ->add_option("--set", command->posture.sets,
+                   "folder of the captures, where it is no longer as the result names it")
+      ->type_name("FOLDER")
+      ->group(expertOptions);
   addLookIn(*exporter, command->posture.lookIn);
   exporter->callback([command] { exportCalibration(*command); });
 }

@@ -4,6 +4,7 @@
 #include "console/PrintText.hpp"
 #include "console/RecordApplied.hpp"
 
+#include "command-line/OptionChecks.hpp"
 #include "io/InputError.hpp"
 #include "runs/HistoryFile.hpp"
 #include "runs/RunFolder.hpp"
@@ -95,15 +96,17 @@ void tellHistory(const HistoryCommand& command) {
 
 void addHistory(CLI::App& app) {
   const auto command = std::make_shared<HistoryCommand>();
-  CLI::App* const teller = app.add_subcommand("history", "the runs of robots, and how their offsets changed over time");
+  CLI::App* const teller = app.get_subcommand("history");
   teller->footer("Example: naocal history nao21 --joint LKneePitch\n"
                  "Robots record their calibrations, 'naocal apply' what it sets, mate-bridge the runs it sees.");
-  teller->add_option("ROBOT", command->robot, "its name or serial number; default: all robots");
-  teller->add_option("--joint", command->joint, "the offset of this joint over time, with falls and jumps");
+  teller->add_option("ROBOT", command->robot, "its name or serial number; default: all robots")->type_name("NAME");
+  teller->add_option("--joint", command->joint, "the offset of this joint over time, with falls and jumps")->type_name("JOINT");
   teller->add_option("--fall", command->fall,
-                     "record that the robot fell: a time in UTC such as \"2026-02-14 10:05\", or now");
-  teller->add_option("--state", command->state, stateHelp);
+                     "record that the robot fell: a time in UTC such as \"2026-02-14 10:05\", or now")
+      ->type_name("TIME");
+  teller->add_option("--state", command->state, stateHelp)->type_name("FOLDER")->group(expertOptions);
   teller->add_option("--json", command->json, "write the history as JSON to a file, or - for standard output")
+      ->type_name("FILE")
       ->check(replaceableFile("naocal-history"));
   teller->callback([command] { tellHistory(*command); });
 }

@@ -2,6 +2,7 @@
 #include "console/OutputFiles.hpp"
 #include "console/PrintText.hpp"
 
+#include "command-line/OptionChecks.hpp"
 #include "dialects/Dialects.hpp"
 #include "io/Files.hpp"
 #include "math/Angles.hpp"
@@ -68,16 +69,22 @@ void importCalibration(const ImportCommand& command) {
 
 void addImport(CLI::App& app) {
   auto command = std::make_shared<ImportCommand>();
-  CLI::App* importer = app.add_subcommand("import", "reads other programs' configuration files as a start of solve");
+  CLI::App* importer = app.get_subcommand("import");
   importer->footer("Example: naocal import jointCalibration.cfg cameraCalibration.cfg --from bhuman -o start.json");
-  importer->add_option("FILE", command->files, "files of one robot, at most one of each kind")->required();
-  importer->add_option("--from", command->dialect, dialectNames())->required();
+  importer->add_option("FILE", command->files, "files of one robot, at most one of each kind")
+      ->type_name("FILE")
+      ->required();
+  importer->add_option("--from", command->dialect, "the other program")
+      ->type_name("DIALECT")
+      ->check(oneOf(dialectNames()))
+      ->required();
   importer->add_option("-o,--output", command->output, "write the calibration to this file, or - for standard output")
+      ->type_name("FILE")
       ->required()
       ->check(replaceableFile("naocal-calibration"));
   importer->add_option("--robot", command->robot, "the robot's model, for its mounts")
       ->capture_default_str()
-      ->check(CLI::IsMember({"V4", "V5", "V6"}));
+      ->check(oneOf(std::vector<std::string>{"V4", "V5", "V6"}));
   importer->callback([command] { importCalibration(*command); });
 }
 

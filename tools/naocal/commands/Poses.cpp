@@ -1,6 +1,8 @@
+#include "command-line/OptionChecks.hpp"
 #include "commands/Commands.hpp"
 #include "console/CommandLine.hpp"
 #include "console/OutputFiles.hpp"
+#include "console/PdfFiles.hpp"
 #include "console/PrintPlan.hpp"
 #include "console/PrintText.hpp"
 #include "data/BoardListFile.hpp"
@@ -145,24 +147,30 @@ void addPoses(CLI::App& app) {
   plan.poses.count = 8;
   plan.poses.maxAttempts = 1'000'000;
   plan.poses.sampling = SamplingMethod::even;
-  CLI::App* const poses = app.add_subcommand("poses", "plans poses worth taking, and where to lay the boards");
+  CLI::App* const poses = app.get_subcommand("poses");
   poses->add_option("-o,--output", command->output, "POSES.json, to be written")
+      ->type_name("FILE")
       ->required()
       ->check(replaceableFile("naocal-poses"));
-  poses->add_option("--pose-files", command->poseFiles, "a folder for HULKs' .pose files too");
+  poses->add_option("--pose-files", command->poseFiles, "a folder for HULKs' .pose files too")->type_name("FOLDER");
   poses
       ->add_option("--floor", command->floor,
                    "PLAN.pdf, to be written: the floor with boards, feet and distances, to print")
+      ->type_name("FILE")
       ->check(replaceablePdf(floorPdfCreator));
-  poses->add_option("--robot", command->robot, "its model")->capture_default_str();
-  poses->add_option("--support", plan.poses.supportFoot, "the foot to stand on: left, right or both")
-      ->transform(CLI::CheckedTransformer(supportFeet, CLI::ignore_case));
+  poses->add_option("--robot", command->robot, "its model")->type_name("MODEL")->capture_default_str();
+  poses->add_option("--support", plan.poses.supportFoot, "the foot to stand on")
+      ->transform(oneOf(supportFeet))
+      ->default_str("left");
   poses->add_option("--candidates", plan.poses.maxAttempts, "candidate poses to sample and filter")
+      ->group(expertOptions)
       ->capture_default_str()
-      ->check(CLI::Range(1, 100'000'000));
+      ->check(wholeNumber(1, 100'000'000));
   poses->add_option("--sampling", plan.poses.sampling, "how the ranges of poses are sampled")
-      ->transform(CLI::CheckedTransformer(samplings, CLI::ignore_case));
-  poses->add_option("--select", plan.poses.count, "poses to plan")->capture_default_str()->check(CLI::Range(1, 1000));
+      ->group(expertOptions)
+      ->transform(oneOf(samplings))
+      ->default_str("even");
+  poses->add_option("--select", plan.poses.count, "poses to plan")->capture_default_str()->check(wholeNumber(1, 1000));
   poses
       ->add_option(
           "--criterion", plan.criterion,
@@ -170,43 +178,62 @@ void addPoses(CLI::App& app) {
           "worst the largest variance of a joint. thesis: the thesis's measure of joints that look alike (selects "
           "poses, does not refine). discriminate: confusion of the two --effects. time: seconds to play, down to "
           "--sigma")
-      ->transform(CLI::CheckedTransformer(criteria()));
+      ->type_name("NAME")
+      ->group(expertOptions)
+      ->transform(oneOf(criteria()))
+      ->default_str("worst");
   poses->add_option("--sigma", command->sigmaDegrees, "that --criterion time must reach for every offset [degrees]")
+      ->group(expertOptions)
       ->capture_default_str()
-      ->check(CLI::Range(0.001, 10.0));
+      ->check(number(0.001, 10.0));
   poses
       ->add_option("--effects", plan.effects,
                    "two effects, such as elasticity@LKneePitch,backlash@LKneePitch; reports how well the "
                    "poses distinguish them")
+      ->type_name("EFFECT@PLACE")
+      ->group(expertOptions)
       ->delimiter(',')
       ->expected(2);
-  poses->add_option(
-      "--weight", command->weights,
-      "NAME=NUMBER: weight of a joint or camera in --criterion thesis (default 1; ignored by other criteria)");
+  poses
+      ->add_option(
+          "--weight", command->weights,
+          "NAME=NUMBER: weight of a joint or camera in --criterion thesis; 1 if not given, ignored by other criteria")
+      ->type_name("NAME=NUMBER")
+      ->group(expertOptions);
   poses->add_flag("--mirror", plan.mirrored,
                   "boards lie alike to the left and right, and every pose's mirror image is added for the other leg");
   poses
       ->add_option("--extend", command->extend,
                    "POSES.json, the plan to extend: its poses and boards stay, --select more poses are added")
+      ->type_name("FILE")
       ->excludes("--mirror");
-  poses->add_option("--boards", command->boards,
-                    "boards file, or capture set, with the boards (of a set also the cameras) to plan for, placements "
-                    "in the frame of "
-                    "the support sole; default: four A2 boards");
-  poses->add_flag("--whole-boards", plan.poses.sight.wholeBoards,
-                  "a board counts only where it is wholly in the picture");
+  poses
+      ->add_option("--boards", command->boards,
+                   "boards file, or capture set, with the boards (of a set also the cameras) to plan for, placements "
+                   "in the frame of "
+                   "the support sole; default: four A2 boards")
+      ->type_name("FILE");
+  poses
+      ->add_flag("--whole-boards", plan.poses.sight.wholeBoards,
+                 "a board counts only where it is wholly in the picture")
+      ->group(expertOptions);
   poses
       ->add_option("--worn", plan.perturbedRobots,
                    "number of robots with random joint errors for which the plan must also hold")
+      ->group(expertOptions)
       ->capture_default_str()
-      ->check(CLI::Range(0, 100));
-  poses->add_flag("--compare", plan.compare, "also show what every criterion selects among the same candidates");
-  poses->add_flag("--known", plan.known, "assume camera mounts and board placements are known");
-  poses->add_flag("!--fixed-boards", plan.moveBoards, "keep the boards where they are");
+      ->check(wholeNumber(0, 100));
+  poses->add_flag("--compare", plan.compare, "also show what every criterion selects among the same candidates")
+      ->group(expertOptions);
+  poses->add_flag("--known", plan.known, "assume camera mounts and board placements are known")->group(expertOptions);
+  poses->add_flag("!--fixed-boards", plan.moveBoards, "keep the boards where they are")->group(expertOptions);
   poses->add_option("--joint-error", command->jointErrorDegrees, "largest joint error, both ways [degrees]")
+      ->group(expertOptions)
       ->capture_default_str()
-      ->check(CLI::Range(0.0, 20.0));
-  poses->add_option("--seed", plan.poses.seed, "the same seed plans the same")->capture_default_str();
+      ->check(number(0.0, 20.0));
+  poses->add_option("--seed", plan.poses.seed, "the same seed plans the same")
+      ->group(expertOptions)
+      ->capture_default_str();
   poses->callback([command] { command->run(); });
   poses->footer("Example: naocal poses -o poses.json --select 8, then naocal simulate set --poses poses.json");
 }

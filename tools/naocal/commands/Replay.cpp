@@ -5,6 +5,7 @@
 #include "console/Subprocess.hpp"
 
 #include "calibration/ResultFile.hpp"
+#include "command-line/OptionChecks.hpp"
 #include "data/CaptureSetFile.hpp"
 #include "io/Files.hpp"
 #include "io/InputError.hpp"
@@ -233,21 +234,25 @@ int ReplayCommand::run() const {
 
 void addReplay(CLI::App& app, int& exitCode) {
   const auto command = std::make_shared<ReplayCommand>();
-  CLI::App* const replay = app.add_subcommand(
-      "replay", "runs the robot's own program over a recording: detects, solves and compares as on the robot");
+  CLI::App* const replay = app.get_subcommand("replay");
   replay->footer("Example: naocal replay recordings/2026-02-14_10-05-00\n"
                  "         naocal replay captures/ --result result.json");
   replay->add_option("SET", command->recording, "a capture set with pictures, or a calibration's folder")
+      ->type_name("FOLDER")
       ->required()
-      ->check(CLI::ExistingDirectory);
+      ->check(existingFolder());
   replay->add_option("--result", command->result, "result to compare with; default: the recording's own, if it has one")
-      ->check(CLI::ExistingFile);
-  replay->add_option("-o,--output", command->output, "new folder for captures and result of the replay; default: none");
+      ->type_name("FILE")
+      ->check(existingFile());
+  replay->add_option("-o,--output", command->output, "new folder for captures and result of the replay; default: none")
+      ->type_name("FOLDER");
   replay
       ->add_option("--configuration", command->configuration,
                    "the robot's configuration; default: as recorded, otherwise as shipped")
-      ->check(CLI::ExistingDirectory);
+      ->type_name("FOLDER")
+      ->check(existingFolder());
   replay->add_option("--json", command->json, "write what came out to this file, or - for standard output")
+      ->type_name("FILE")
       ->check(replaceableFile("naocal-replay"));
   replay->callback([command, &exitCode] { exitCode = command->run(); });
 }

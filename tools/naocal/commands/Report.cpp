@@ -3,6 +3,7 @@
 #include "console/OutputFiles.hpp"
 #include "console/PrintText.hpp"
 
+#include "command-line/OptionChecks.hpp"
 #include "report/ReportPage.hpp"
 
 #include <CLI/CLI.hpp>
@@ -24,15 +25,16 @@ struct ReportCommand {
 
 void addReport(CLI::App& app) {
   auto command = std::make_shared<ReportCommand>();
-  CLI::App* reporter = app.add_subcommand(
-      "report", "one HTML page to look at a result, a diagnosis or an evaluation, readable without a network");
+  CLI::App* reporter = app.get_subcommand("report");
   reporter->footer("Example: naocal report result.json -o report.html");
   reporter
       ->add_option(
           "FILE", command->file,
           "a result of 'naocal solve', a diagnosis of 'naocal diagnose' or what 'naocal evaluate thesis --json' writes")
+      ->type_name("FILE")
       ->required();
   reporter->add_option("-o,--output", command->output, "the page to write")
+      ->type_name("FILE")
       ->required()
       ->check(replaceableFile(std::string{pageFormat}));
   addLookIn(*reporter, command->lookIn);

@@ -1,3 +1,4 @@
+#include "command-line/OptionChecks.hpp"
 #include "commands/Commands.hpp"
 #include "console/CommandLine.hpp"
 #include "console/OutputFiles.hpp"
@@ -58,9 +59,12 @@ void addPoses(const SimulateOptions& options, const Robot& robot, SimulationPlan
   constexpr std::size_t most = 1000;
   std::size_t count = 0;
   const char* end = options.poses.data() + options.poses.size();
-  if (const auto [rest, error] = std::from_chars(options.poses.data(), end, count); rest == end) {
-    if (error != std::errc{} || count < 1 || count > most) {
-      throw InputError{fmt::format("--poses: expected 1 to {} or a pose file, found {}", most, options.poses)};
+  const bool isNegative = options.poses.starts_with('-');
+  if (const auto [rest, error] = std::from_chars(options.poses.data() + (isNegative ? 1 : 0), end, count);
+      rest == end) {
+    if (isNegative || error != std::errc{} || count < 1 || count > most) {
+      throw InputError{
+          fmt::format("--poses: expected a whole number, 1 to {}, or a pose file, found \"{}\"", most, options.poses)};
     }
     plan.poses = planStandingPoses(robot, plan, feet.at(options.support), count, options.seed);
     return;
@@ -88,79 +92,104 @@ std::vector<Board> simulatedBoards(const std::string& place) {
 
 void addNoise(CLI::App& simulator, SimulateOptions& options) {
   simulator.add_option("--offset-degrees", options.offsetDegrees, "joint offsets lie within this, both ways")
-      ->check(CLI::Range(0.0, 45.0))
+      ->group(expertOptions)
+      ->check(number(0.0, 45.0))
       ->capture_default_str();
   simulator.add_option("--mount-degrees", options.mountDegrees, "camera rotations, per axis")
-      ->check(CLI::Range(0.0, 45.0))
+      ->group(expertOptions)
+      ->check(number(0.0, 45.0))
       ->capture_default_str();
   simulator.add_option("--mount-millimetres", options.mountMillimetres, "camera shifts, per axis")
-      ->check(CLI::Range(0.0, 100.0))
+      ->group(expertOptions)
+      ->check(number(0.0, 100.0))
       ->capture_default_str();
   simulator.add_option("--pixel-noise", options.plan.corners.pixel, "standard deviation of a corner, per axis [px]")
-      ->check(CLI::Range(0.0, 100.0))
+      ->check(number(0.0, 100.0))
       ->capture_default_str();
-  simulator.add_flag("--heavy-tails", options.plan.corners.heavyTails, "corner noise after Student's t4, not normal");
+  simulator.add_flag("--heavy-tails", options.plan.corners.heavyTails, "corner noise after Student's t4, not normal")
+      ->group(expertOptions);
   simulator.add_option("--gross-share", options.plan.corners.grossShare, "share of grossly wrong corners")
-      ->check(CLI::Range(0.0, 1.0))
+      ->group(expertOptions)
+      ->check(number(0.0, 1.0))
       ->capture_default_str();
   simulator.add_option("--gross-pixels", options.plan.corners.grossSize, "how wrong those are [px]")
-      ->check(CLI::Range(0.0, 1000.0))
+      ->group(expertOptions)
+      ->check(number(0.0, 1000.0))
       ->capture_default_str();
-  simulator.add_flag("--displaced-board", options.displacedBoard, "a board lies 3 cm off its place in one picture");
+  simulator.add_flag("--displaced-board", options.displacedBoard, "a board lies 3 cm off its place in one picture")
+      ->group(expertOptions);
   simulator
       .add_option("--stiction-degrees", options.poseDegrees,
                   "deflection of the gears, drawn anew in every pose (1 sigma)")
-      ->check(CLI::Range(0.0, 10.0))
+      ->group(expertOptions)
+      ->check(number(0.0, 10.0))
       ->capture_default_str();
   simulator
       .add_option("--approach-stiction-degrees", options.approachDegrees,
                   "further deflection, drawn anew at every approach (1 sigma)")
-      ->check(CLI::Range(0.0, 10.0))
+      ->group(expertOptions)
+      ->check(number(0.0, 10.0))
       ->capture_default_str();
 }
 
 void addPictures(CLI::App& simulator, SimulateOptions& options) {
   simulator.add_flag("--images", options.plan.images, "render pictures instead of giving corners");
-  simulator.add_option("--size", options.size, "of the pictures, WIDTHxHEIGHT [px]")->capture_default_str();
+  simulator.add_option("--size", options.size, "of the pictures, WIDTHxHEIGHT [px]")
+      ->type_name("WIDTHxHEIGHT")
+      ->capture_default_str();
   simulator.add_option("--blur", options.appearance.blur, "blur of the pictures, sigma [px]")
-      ->check(CLI::Range(0.0, 20.0))
+      ->group(expertOptions)
+      ->check(number(0.0, 20.0))
       ->capture_default_str();
   simulator.add_option("--grey-noise", options.appearance.noise, "grey noise, sigma [grey levels]")
-      ->check(CLI::Range(0.0, 100.0))
+      ->group(expertOptions)
+      ->check(number(0.0, 100.0))
       ->capture_default_str();
   simulator.add_option("--vignetting", options.appearance.vignetting, "share of light lost in the corners")
-      ->check(CLI::Range(0.0, 1.0))
+      ->group(expertOptions)
+      ->check(number(0.0, 1.0))
       ->capture_default_str();
-  simulator.add_option("--jpeg-quality", options.appearance.jpegQuality, "compress with losses, 1 to 100")
-      ->check(CLI::Range(1, 100));
+  simulator.add_option("--jpeg-quality", options.appearance.jpegQuality, "compress with losses; default: without")
+      ->group(expertOptions)
+      ->check(wholeNumber(1, 100));
 }
 
 void addOptions(CLI::App& simulator, SimulateOptions& options) {
   simulator.add_option("OUT", options.output, "folder to write; the truth goes beside it, into OUT.truth.json")
+      ->type_name("FOLDER")
       ->required();
-  simulator.add_option("--robot", options.robot, "its model")->capture_default_str();
+  simulator.add_option("--robot", options.robot, "its model")->type_name("MODEL")->capture_default_str();
   simulator.add_option("--support", options.support, "the foot it stands on")
-      ->check(CLI::IsMember(feet))
+      ->check(oneOf(std::vector<std::string>{"left", "right", "both"}))
       ->capture_default_str();
-  simulator.add_option("--poses", options.poses, "how many, or a pose file to play")->capture_default_str();
+  simulator.add_option("--poses", options.poses, "how many, 1 to 1000, or a pose file to play")
+      ->type_name("N|FILE")
+      ->capture_default_str();
   simulator.add_option("--samples", options.plan.samples, "captures of each camera per pose")
-      ->check(CLI::Range(1, 1000))
+      ->check(wholeNumber(1, 1000))
       ->capture_default_str();
-  simulator.add_option("--boards", options.boards,
-                       "boards file, or capture set, with the boards on the floor; default: four A2 boards");
+  simulator
+      .add_option("--boards", options.boards,
+                  "boards file, or capture set, with the boards on the floor; default: four A2 boards")
+      ->type_name("FILE");
   simulator.add_option("--repeat-kind", options.repeatKind, "what happens between the samples of a pose")
-      ->check(CLI::IsMember(kinds))
+      ->group(expertOptions)
+      ->check(oneOf(std::vector<std::string>{"rest", "reapproach", "restand"}))
       ->capture_default_str();
   simulator.add_flag("--hidden-flaw", options.plan.hiddenFlaw,
                      "a part of the leg is not as drawn; which one, only the truth file tells");
-  simulator.add_option(
-      "--flaw", options.plan.flaw,
-      "hidden effect, such as gearPlay@LKneePitch: elasticity (a spring), hysteresis or gearPlay at a joint, "
-      "linkLength at a length");
+  simulator
+      .add_option(
+          "--flaw", options.plan.flaw,
+          "hidden effect, such as gearPlay@LKneePitch: elasticity (a spring), hysteresis or gearPlay at a joint, "
+          "linkLength at a length")
+      ->type_name("EFFECT@PLACE");
   simulator.add_option("--flaw-scale", options.plan.flawScale, "size of the hidden effect: 1 as in a worn NAO")
-      ->check(CLI::Range(0.01, 10.0))
+      ->group(expertOptions)
+      ->check(number(0.01, 10.0))
       ->capture_default_str();
-  simulator.add_flag("--surveyed", options.plan.surveyed, "the set states where boards and feet are");
+  simulator.add_flag("--surveyed", options.plan.surveyed, "the set states where boards and feet are")
+      ->group(expertOptions);
   simulator.add_option("--seed", options.seed, "the same seed gives the same set")->capture_default_str();
   CLI::Option* other = simulator.add_option("--robot-seed", options.plan.robotSeed,
                                             "takes the robot of another set, by that set's seed");
@@ -169,6 +198,7 @@ void addOptions(CLI::App& simulator, SimulateOptions& options) {
   simulator.add_flag("--force", options.force, "replace the captures that OUT holds, and their pictures");
   simulator
       .add_option("--json", options.json, "write what was simulated as JSON to this file, or - for standard output")
+      ->type_name("FILE")
       ->check(replaceableFile("naocal-simulation"));
   addNoise(simulator, options);
   addPictures(simulator, options);
@@ -308,8 +338,7 @@ void simulateSet(const SimulateOptions& options) {
 
 void addSimulate(CLI::App& app) {
   auto options = std::make_shared<SimulateOptions>();
-  CLI::App* simulator =
-      app.add_subcommand("simulate", "writes a synthetic robot's captures; the truth lies beside them");
+  CLI::App* simulator = app.get_subcommand("simulate");
   simulator->footer("Example: naocal simulate simulated/left --poses 24 --images\n"
                     "The same robot in further poses, its other flags repeated:\n"
                     "  naocal simulate simulated/more --poses poses.json --seed 2 --robot-seed 1 --same-place");

@@ -5,6 +5,7 @@
 #include "console/PrintText.hpp"
 
 #include "calibration/Calibration.hpp"
+#include "command-line/OptionChecks.hpp"
 #include "dialects/ModelCalibration.hpp"
 #include "estimation/ModelBuilder.hpp"
 #include "estimation/ModelFile.hpp"
@@ -83,44 +84,65 @@ int solve(SolveCommand& command) {
 
 void addSolve(CLI::App& app, int& exitCode) {
   auto command = std::make_shared<SolveCommand>();
-  CLI::App* solver = app.add_subcommand("solve", "calibrates joints and cameras from capture sets");
+  CLI::App* solver = app.get_subcommand("solve");
   solver->footer("Example: naocal solve captures/ -o result.json --with cameraTranslation@top");
-  solver->add_option("SET", command->sets, "folders with captures.json")->required();
+  solver->add_option("SET", command->sets, "folders with captures.json")->type_name("FOLDER")->required();
   solver->add_option("-o,--output", command->output, "write the result to this file")
+      ->type_name("FILE")
       ->check(replaceableFile("naocal-result"));
   solver->add_option("--json", command->json, "write the result as JSON to this file, or - for standard output")
+      ->type_name("FILE")
       ->check(replaceableFile("naocal-result"));
   solver->add_option("--with", command->with, "effects to add, such as elasticity@LKneePitch; * matches any place")
+      ->type_name("EFFECT@PLACE")
       ->delimiter(',');
   solver->add_option("--without", command->without, "effects to leave out, such as jointOffset@HeadYaw")
+      ->type_name("EFFECT@PLACE")
       ->delimiter(',');
-  solver->add_option("--model", command->model, "a model file: effects to add, to leave out, and effects of your own");
-  solver->add_option("--start", command->start,
-                     "start the search at another result, or at a file of 'naocal import'; default: the drawing");
+  solver->add_option("--model", command->model, "a model file: effects to add, to leave out, and effects of your own")
+      ->type_name("FILE");
+  solver
+      ->add_option("--start", command->start,
+                   "start the search at another result, or at a file of 'naocal import'; default: the drawing")
+      ->type_name("FILE")
+      ->group(expertOptions);
   solver->add_option("--restarts", command->options.restarts, "extra searches from random starting points")
-      ->check(CLI::Range(0, 1000));
-  solver->add_option("--seed", command->options.seed, "seed of the random starting points");
+      ->group(expertOptions)
+      ->check(wholeNumber(0, 1000))
+      ->capture_default_str();
+  solver->add_option("--seed", command->options.seed, "seed of the random starting points")
+      ->group(expertOptions)
+      ->capture_default_str();
   solver->add_flag("--same-place", command->samePlace,
                    "boards and stances with the same id have the same placement in all sets");
   solver->add_flag("--skip-bad", command->skipBad, "use the other captures when some cannot be used, and list those");
-  solver->add_flag("--alternate", command->options.alternate, "fit joints and cameras alternately instead of jointly");
-  solver->add_flag("--plain", command->plain, "no outlier weighting");
-  solver->add_flag("--fixed-noise", command->fixedNoise, "use the noise options as given, do not estimate noise");
+  solver->add_flag("--alternate", command->options.alternate, "fit joints and cameras alternately instead of jointly")
+      ->group(expertOptions);
+  solver->add_flag("--plain", command->plain, "no outlier weighting")->group(expertOptions);
+  solver->add_flag("--fixed-noise", command->fixedNoise, "use the noise options as given, do not estimate noise")
+      ->group(expertOptions);
   auto* pixel = solver
                     ->add_option("--pixel-noise", command->options.noise.pixel,
                                  "standard deviation of a corner, per axis [px]; a starting value unless --fixed-noise")
-                    ->check(CLI::Range(0.001, 100.0));
+                    ->group(expertOptions)
+                    ->check(number(0.001, 100.0))
+                    ->capture_default_str();
   solver
       ->add_option("--encoder-noise", command->options.noise.encoder, "standard deviation of an encoder reading [rad]")
-      ->check(CLI::Range(1e-7, 0.1));
+      ->group(expertOptions)
+      ->check(number(1e-7, 0.1));
   solver
       ->add_option("--pose-noise", command->options.noise.pose,
                    "standard deviation of the joint deflection that a pose's captures share [rad]")
-      ->check(CLI::Range(0.0, 0.1));
+      ->group(expertOptions)
+      ->check(number(0.0, 0.1))
+      ->capture_default_str();
   solver
       ->add_option("--stance-noise", command->options.noise.stance,
                    "standard deviation of the joint deflection that a pose's captures in one stance share [rad]")
-      ->check(CLI::Range(0.0, 0.1));
+      ->group(expertOptions)
+      ->check(number(0.0, 0.1))
+      ->capture_default_str();
   solver->callback([command, pixel, &exitCode] {
     command->options.pixelGiven = pixel->count() > 0;
     exitCode = solve(*command);

@@ -1,5 +1,6 @@
 #include "console/CommandLine.hpp"
 
+#include "command-line/OptionChecks.hpp"
 #include "console/PrintText.hpp"
 #include "data/CaptureSetFile.hpp"
 #include "io/InputError.hpp"
@@ -35,8 +36,10 @@ void addLookIn(CLI::App& command, std::vector<std::string>& folders) {
   command
       .add_option("--look-in", folders,
                   "a folder to search for captures that were moved; they are recognised by their SHA-256")
-      ->check(CLI::ExistingDirectory)
-      ->allow_extra_args(false);
+      ->type_name("FOLDER")
+      ->check(existingFolder())
+      ->allow_extra_args(false)
+      ->group(expertOptions);
 }
 
 LoadedSets loadSets(const std::vector<std::string>& folders, bool skipBad) {

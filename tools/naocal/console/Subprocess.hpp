@@ -24,7 +24,12 @@ ProcessResult runProcess(const std::vector<std::string>& command);
 ProcessResult followProcess(const std::vector<std::string>& command, const std::function<void(std::string_view)>& said,
                             const std::function<void()>& waiting);
 
-/// Another of naocal's programs: beside this one, or in the build folder. Throws InputError if it is not there.
+/// Replaces this process by a program with the same arguments; `arguments` ends with nullptr, as main's do. Throws
+/// InputError if it cannot be started.
+[[noreturn]] void becomeProgram(const std::filesystem::path& program, char** arguments);
+
+/// Another of naocal's programs: beside this one, in the folders of an installation (bin, libexec/naocal), or in the
+/// build folder. Throws InputError if it is not there.
 std::filesystem::path findProgram(const std::string& name);
 
 } // namespace naocal
