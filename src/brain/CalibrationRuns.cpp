@@ -1,5 +1,6 @@
 #include "brain/CalibrationRuns.hpp"
 
+#include "brain/CalibrationInputs.hpp"
 #include "dialects/SavedCalibration.hpp"
 #include "io/Files.hpp"
 #include "io/JsonReader.hpp"
@@ -12,6 +13,16 @@
 #include <nlohmann/json.hpp>
 
 namespace naocal {
+namespace {
+
+/// Whether a calibration of this kind takes over offsets of the neck only (`headOffsets`): on both feet, others stand
+/// for errors of the stance.
+bool isHeadOnly(const std::string& kind) {
+  const CalibrationKind* known = findCalibrationKind(kind);
+  return known != nullptr && known->feet.front() == SupportFoot::both;
+}
+
+} // namespace
 
 void to_json(nlohmann::json& out, const PublishedRuns& published) {
   out = nlohmann::json::array();
@@ -33,6 +44,9 @@ void CalibrationRuns::recordCalibration(const Calibration& calibration) {
     run.result = result;
     run.sha256 = sha256(readFile(solved / "captures.json"));
     run.offsets = offsetsOfResult(parseJson(readFile(result), result), result);
+    if (isHeadOnly(calibration.kind)) {
+      std::erase_if(run.offsets, [](const auto& offset) { return !offset.first.starts_with("Head"); });
+    }
     run.set = readConfiguredOffsets(configuration_);
     return run;
   });

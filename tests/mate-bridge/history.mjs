@@ -48,8 +48,8 @@ await page.getByRole("button", {name: "open the run of " + days[0] + " 10:05 in 
 await happens(page.getByRole("heading", {name: "Where the prediction fails"}).waitFor(), "a run is opened in Compare");
 
 // The captures are moved and renamed: the panel asks, and finds them by their content.
-mkdirSync(join(here, "archive/old"), {recursive: true});
-renameSync(join(here, days[1]), join(here, "archive/old/saturday"));
+mkdirSync(join(here, "archive/2026/old/box"), {recursive: true});
+renameSync(join(here, days[1]), join(here, "archive/2026/old/box/saturday"));
 await page.getByRole("button", {name: "History", exact: true}).click();
 await page.getByRole("button", {name: "open the run of " + days[1] + " 10:05 in Compare"}).click();
 await happens(page.getByRole("heading", {name: "Where are the captures now?"}).waitFor(), "captures that were moved are asked for");

@@ -83,6 +83,7 @@ TEST_CASE("a simulated robot calibrates neck and cameras, driven only through th
   CHECK(runs[0].errorAfter == state["errorAfter"].get<double>());
   CHECK(runs[0].robot.body == "synthetic-1");
   CHECK(runs[0].set.at("HeadPitch") == Approx(radians(offsets["headPitch"].get<double>())));
+  CHECK(runs[0].offsets.size() == 1);
   CHECK(runs[0].offsets.at("HeadPitch").sigma > 0);
   CHECK(std::filesystem::exists(runs[0].result));
   CHECK(runs[1].outcome == RunOutcome::unneeded);

@@ -4,6 +4,9 @@ import {act, state} from "../core/state.js";
 
 let typed = "";
 
+// The bridge's clause as a sentence, without the advice for the terminal.
+const asSentence = clause => clause.charAt(0).toUpperCase() + clause.slice(1).replace("; say where with --look-in FOLDER", "") + ".";
+
 // The question; null if nothing is missing. `done` redraws.
 export function missingCaptures(done) {
   const {missing} = state;
@@ -17,7 +20,7 @@ export function missingCaptures(done) {
     if (!typed.trim()) return;
     const lookIn = [typed.trim()];
     if (act(missing.run ? {do: "openRun", id: missing.run, lookIn} : {do: "open", paths: missing.paths, lookIn})) forget();
-  }}, element("h2", {}, "Where are the captures now?"), element("p", {}, missing.sentence.replace(/;? ?say where[^;]*$/, "") + "."),
+  }}, element("h2", {}, "Where are the captures now?"), element("p", {}, asSentence(missing.sentence)),
   element("p", {class: "soft"}, "Name a folder: it and the folders below it are searched, and the captures recognised by their SHA-256."),
-  element("p", {class: "paths"}, field, element("span", {class: "controls"}, element("button", {type: "submit", class: "main", disabled: Boolean(state.work)}, "Look there"), button("Not now", forget))));
+  element("div", {class: "paths"}, field, element("span", {class: "controls"}, element("button", {type: "submit", class: "main", disabled: Boolean(state.work)}, "Look there"), button("Not now", forget))));
 }
