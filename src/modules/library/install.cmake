@@ -20,3 +20,16 @@ configure_package_config_file(library/naocalConfig.cmake.in ${CMAKE_CURRENT_BINA
 write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/naocalConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/naocalConfig.cmake ${CMAKE_CURRENT_BINARY_DIR}/naocalConfigVersion.cmake
   DESTINATION ${package} COMPONENT library)
+
+# The same for pkg-config; the archives in the order in which they use each other.
+set(archives "")
+foreach(name IN LISTS folders)
+  get_target_property(type naocal_${name} TYPE)
+  if(type STREQUAL STATIC_LIBRARY)
+    string(PREPEND archives "-lnaocal_${name} ")
+  endif()
+endforeach()
+file(RELATIVE_PATH prefix_from_pkgconfig /prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig /prefix)
+string(REGEX REPLACE "/$" "" prefix_from_pkgconfig "${prefix_from_pkgconfig}")
+configure_file(${CMAKE_SOURCE_DIR}/toolchain/packaging/naocal.pc.in ${CMAKE_CURRENT_BINARY_DIR}/naocal.pc @ONLY)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/naocal.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT library)
