@@ -207,7 +207,7 @@ void CalibrationRunner::go() {
   }
 }
 
-void CalibrationRunner::waitFor(const char* what) {
+void CalibrationRunner::waitFor(const std::string& what) {
   if (Clock::now() - waitingSince_ > notWorthAWord) {
     state_.edit().sentence = fmt::format("{} waits until {}.", rounds_[round_][step_].name, what);
   }
@@ -235,6 +235,16 @@ bool CalibrationRunner::takePicture() {
     waitFor(still.camera == "top" ? "the bottom camera gives pictures" : "the top camera gives pictures");
     return false;
   }
+  if (faults_.isLifted(still)) {
+    fail("The robot was lifted: its feet carry nothing, and it will stand elsewhere than in the pictures before. It "
+         "goes "
+         "to its stand; put it down and start again. Nothing was changed.");
+    return false;
+  }
+  if (const std::string fault = faults_.findCameraFault(picture_->frame, step.taken.pose); !fault.empty()) {
+    waitFor(fault);
+    return false;
+  }
   if (!isStill(picture_->frame)) {
     waitFor("the picture is still: something moves before the camera");
     return false;
@@ -248,6 +258,7 @@ bool CalibrationRunner::takePicture() {
   capture.joints.approach = std::move(approach);
   capture.imu = still.imu;
   capture.fsr = still.fsr;
+  faults_.note(picture_->frame, capture);
   take(capture);
   waitingSince_ = Clock::now();
   return true;
@@ -310,6 +321,7 @@ void CalibrationRunner::startRound() {
   state_.edit().poses = static_cast<int>(
       std::count_if(round.begin(), round.end(), [](const CalibrationStep& step) { return step.pictures > 0; }));
   roundStart_.reset();
+  faults_.startRound();
   jobs_.openRound(round_, header());
   nextStep();
 }
@@ -356,6 +368,11 @@ void CalibrationRunner::take(CalibrationJobs::PlannedRounds planned) {
 
 void CalibrationRunner::take(CalibrationJobs::AppliedCalibration applied) {
   if (state_->isRunning()) {
+    if (faults_.feltNoLoad()) {
+      applied.outcome.warnings.emplace_back(
+          "The foot sensors showed no load in any picture. A calibration does not use "
+          "them, but a robot that is lifted meanwhile is not noticed.");
+    }
     shownOutcome_ = std::move(applied.outcome);
     round_ = 1;
     startRound();

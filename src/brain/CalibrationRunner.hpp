@@ -5,6 +5,7 @@
 #include "brain/CalibrationJobs.hpp"
 #include "brain/CalibrationStatus.hpp"
 #include "brain/CaptureCollector.hpp"
+#include "brain/CaptureFaults.hpp"
 #include "brain/Projection.hpp"
 #include "framework/core/Module.hpp"
 #include "framework/core/Parameter.hpp"
@@ -48,7 +49,7 @@ private:
   bool isStill(const CameraFrame& frame);
   void collect();
   bool takePicture(); // if one is available and everything is still; otherwise reports the reason to wait
-  void waitFor(const char* what);
+  void waitFor(const std::string& what);
   void tellTimeLeft();
   void arriveAtStand();
   void endStep();
@@ -103,6 +104,7 @@ private:
   std::size_t round_ = 0, step_ = 0;
   std::map<std::string, int> taken_;           // in the current step, by camera
   std::map<CameraName, CameraFrame> previous_; // last images of the current step
+  CaptureFaults faults_;                       // in the current round
   std::optional<TimePoint> roundStart_;
   std::optional<double> poseTime_;        // mean, of the current round or the previous one [s]
   TimePoint waitingSince_, pictureSince_; // start of the wait for a capture, time of the last image; in Clock

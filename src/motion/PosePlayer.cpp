@@ -276,6 +276,10 @@ void PosePlayer::watch(const RobotState& state) {
   const double tilt = degrees(std::max(std::abs(state.torsoAngles.x()), std::abs(state.torsoAngles.y())));
   const auto hot = std::max_element(state.temperature.begin(), state.temperature.end());
   const bool isOut = stage_ == Stage::goingOut || stage_ == Stage::holding;
+  const std::string fault = isOut ? faults_.find({state, desired_->angles, *angles_, measured_->step()}) : "";
+  if (!isOut) {
+    faults_.reset();
+  }
   if (tilt > *largestTilt_) {
     ++state_.edit().falls;
     stop(Stage::fallen, fmt::format("The torso is tilted by {:.0f} degrees, so the motors are weak. Stand the robot up "
@@ -288,6 +292,8 @@ void PosePlayer::watch(const RobotState& state) {
   } else if (*hot > *hottest_ && isOut) {
     goHome(fmt::format("{} is {:.0f} degrees Celsius hot: the robot goes back to its stand. Let it cool down.",
                        jointNames[static_cast<std::size_t>(hot - state.temperature.begin())], *hot));
+  } else if (!fault.empty()) {
+    goHome(fault + " The robot goes back to its stand: look after it.");
   }
 }
 

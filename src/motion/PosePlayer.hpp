@@ -4,6 +4,7 @@
 #include "framework/core/Parameter.hpp"
 #include "hardware/messages/PoseRequest.hpp"
 #include "motion/PoseMotion.hpp"
+#include "motion/RobotFaults.hpp"
 #include "motion/SensorProvider.hpp"
 
 #include <atomic>
@@ -30,8 +31,9 @@ struct ShutdownRequest {
 /// Moves the robot from pose to pose, smoothly and at a fraction of the joints' maximum speeds.
 ///
 /// It returns along the path it came: on request, when the chest button is pressed during a motion or in a pose, when
-/// the program ends, or when a joint overheats. A touch of head, hands or feet stops a motion and holds the pose. The
-/// motors become weak when the torso tilts too far, and when the joints have moved during a gap in the robot's states.
+/// the program ends, when a joint overheats, or at a fault of a joint or the inertial unit (RobotFaults). A touch of
+/// head, hands or feet stops a motion and holds the pose. The motors become weak when the torso tilts too far, and when
+/// the joints have moved during a gap in the robot's states.
 ///
 /// A robot that was held on its way out must be held on its way home: unless it already is, the eyes turn yellow and
 /// the way home starts after `handsTime`, or at once when the chest button is pressed.
@@ -91,6 +93,7 @@ private:
   Production<Latest<PlayerState>> forBrain_{*this, "playerForBrain"};
 
   JointLimits limits_;
+  RobotFaults faults_{limits_};
   ShutdownRequest& ending_;
   CompensatedAngles home_;
   std::vector<CompensatedAngles> trail_; // points from the stand on; the way home passes them in reverse

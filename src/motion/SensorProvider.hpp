@@ -14,8 +14,9 @@ struct SensorFrame {
   RobotState state;
   double since = 0; // the previous state [s]; 0 for the first
 
-  /// Time step for motions in this cycle [s], limited to 0.03 s: a gap in the states must not cause a jump.
-  double step() const { return std::min(since, 0.03); }
+  /// Time step for motions in this cycle [s], from 0 to 0.03 s: neither a gap in the states nor a clock that was set
+  /// causes a jump.
+  double step() const { return std::clamp(since, 0.0, 0.03); }
 };
 void to_json(nlohmann::json& out, const SensorFrame& measured);
 

@@ -10,6 +10,7 @@ namespace naocal {
 /// values.
 class ScriptedRobot final : public RobotInterface {
 public:
+  ScriptedRobot() { state.accelerometer.z() = 9.81; }
   std::optional<RobotIdentity> waitForIdentity(std::chrono::milliseconds) override { return RobotIdentity{}; }
   std::optional<RobotState> waitForState(std::chrono::milliseconds) override {
     if (silent) {
@@ -21,7 +22,7 @@ public:
   void send(const RobotCommand& command) override {
     sent.push_back(command);
     for (std::size_t joint = 0; joint < jointCount; ++joint) {
-      if (command.stiffness[joint] > 0) {
+      if (command.stiffness[joint] > 0 && !stuck[joint]) {
         state.angles[joint] = command.angles[joint];
       }
     }
@@ -31,6 +32,7 @@ public:
 
   RobotState state;
   std::vector<RobotCommand> sent;
+  PerJoint<bool> stuck{}; // joints that do not move
   bool silent = false;
 };
 

@@ -94,6 +94,7 @@ void RobotProcess::start(std::function<void(std::string_view)> failed) {
   motionThread_ = std::jthread{[this](const std::stop_token& stop) {
     const std::string refused = options_.realTime ? requestRealTimePriority(motionPriority) : "";
     if (!refused.empty()) {
+      requestShortSlice();
       log_(fmt::format("The motion thread runs without real-time priority, which the system refuses: {}.", refused));
     }
     run(motion_, stop, [this] { return robot_.hasEnded(); });

@@ -104,10 +104,37 @@ TEST_CASE("changes from other threads arrive in their order while the cycle goes
     motion.cycle();
   }
   editor.join();
-  motion.cycle();
+  for (std::size_t rest = 0; rest <= 500; rest += Thread::changesPerCycle) {
+    motion.cycle();
+  }
   const auto from = player.seen.begin() + 1;
   CHECK(std::is_sorted(from, player.seen.end()));
   CHECK(player.seen.back() == 500);
+}
+
+TEST_CASE("however many changes arrive, a cycle applies a bounded number, and the newest value is not lost") {
+  // Proves both numbers at their boundary: beyond those that wait, a parameter's newest value replaces its last one,
+  // and another parameter's is kept.
+  Configured configured{good};
+  auto& [robot, motion, player] = configured;
+  const int most = int(Thread::mostChanges), perCycle = int(Thread::changesPerCycle);
+  const int before = player.changes;
+  for (int i = 1; i <= most + 50; ++i) {
+    robot.configuration.set("Motion.Player", "speed", i);
+  }
+  robot.configuration.set("Motion.Player", "gains[0]", 9);
+  motion.cycle();
+  CHECK(player.changes == before + perCycle);
+  CHECK(player.seen.back() == perCycle);
+  for (int cycle = 1; cycle < most / perCycle; ++cycle) {
+    motion.cycle();
+  }
+  CHECK(player.changes == before + most);
+  CHECK(player.seen.back() == most + 50);
+  CHECK(player.gains()[0] == 1);
+  motion.cycle();
+  CHECK(player.changes == before + most + 1);
+  CHECK(player.gains()[0] == 9);
 }
 
 TEST_CASE("configuration errors are sentences with names") {

@@ -43,6 +43,17 @@ TEST_CASE("a background thread leaves motion a processor and goes after it") {
   CHECK(countProcessors() == before);
 }
 
+TEST_CASE("a thread with a short slice is an ordinary one otherwise") {
+  // Proves that policy, niceness and processors stay; how soon it wakes is measured with the robot's process.
+  const int before = countProcessors(), niceness = ::getpriority(PRIO_PROCESS, id_t(::gettid()));
+  std::thread{[&] {
+    requestShortSlice();
+    CHECK(::sched_getscheduler(0) == SCHED_OTHER);
+    CHECK(::getpriority(PRIO_PROCESS, id_t(::gettid())) == niceness);
+    CHECK(countProcessors() == before);
+  }}.join();
+}
+
 TEST_CASE("what clients send is accepted, read and encoded by background threads") {
   // Proves it for the two threads of the sockets, by their niceness.
   REQUIRE(countBackgroundThreads() == 0);

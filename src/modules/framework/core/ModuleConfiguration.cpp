@@ -36,7 +36,7 @@ void configureModule(Thread& thread, Module& module, Configuration& configuratio
   const auto listener = [&thread, &module, mount](const auto& key, const auto& value) {
     for (AnyParameter* parameter : module.parameters()) {
       if (parameter->key() == key) {
-        thread.postChange(module, prepareAt(*parameter, value, mount));
+        thread.postChange(module, *parameter, prepareAt(*parameter, value, mount));
       }
     }
   };

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cstring>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <pthread.h>
 #include <sched.h>
 #include <sys/resource.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
 namespace naocal {
@@ -82,9 +84,17 @@ void Thread::sort(const std::vector<std::size_t>& order) {
   modules_ = std::move(sorted);
 }
 
-void Thread::postChange(Module& module, std::function<void()> apply) {
+void Thread::postChange(Module& module, const AnyParameter& parameter, std::function<void()> apply) {
   const std::lock_guard lock{changesMutex_};
-  changes_.push_back({&module, std::move(apply)});
+  if (changes_.size() >= mostChanges) {
+    const auto last = std::find_if(changes_.rbegin(), changes_.rend(),
+                                   [&](const Change& change) { return change.parameter == &parameter; });
+    if (last != changes_.rend()) {
+      last->apply = std::move(apply);
+      return;
+    }
+  }
+  changes_.push_back({&module, &parameter, std::move(apply)});
 }
 
 void Thread::applyChanges() {
@@ -94,7 +104,9 @@ void Thread::applyChanges() {
     if (!lock.owns_lock()) {
       return; // a change is being posted; the next cycle applies it
     }
-    changes.swap(changes_);
+    const auto end = changes_.begin() + std::ptrdiff_t(std::min(changes_.size(), changesPerCycle));
+    changes.assign(std::make_move_iterator(changes_.begin()), std::make_move_iterator(end));
+    changes_.erase(changes_.begin(), end);
   }
   for (Change& change : changes) { // one by one: a module sees each of two values that arrive together
     change.apply();
@@ -132,6 +144,25 @@ std::string requestRealTimePriority(int priority) {
   const sched_param parameters{.sched_priority = priority};
   const int error = ::pthread_setschedparam(::pthread_self(), SCHED_FIFO, &parameters);
   return error == 0 ? std::string{} : std::strerror(error);
+}
+
+void requestShortSlice() {
+  struct { // sched_attr of the kernel, in its first size; glibc before 2.41 declares none
+    std::uint32_t size, policy;
+    std::uint64_t flags;
+    std::int32_t nice;
+    std::uint32_t priority;
+    std::uint64_t runtime, deadline, period; // runtime: the slice [ns]
+  } attributes{.size = 48,
+               .policy = SCHED_OTHER,
+               .flags = 0,
+               .nice = ::getpriority(PRIO_PROCESS, id_t(::gettid())),
+               .priority = 0,
+               .runtime = 100'000,
+               .deadline = 0,
+               .period = 0};
+  static_assert(sizeof attributes == 48);
+  ::syscall(SYS_sched_setattr, 0, &attributes, 0);
 }
 
 void runInBackground() {

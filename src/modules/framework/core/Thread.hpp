@@ -3,7 +3,9 @@
 #include "framework/configuration/ConfigurationLayers.hpp"
 #include "framework/core/Module.hpp"
 
+#include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -21,6 +23,7 @@ struct CycleTimes {
 };
 void to_json(nlohmann::json& out, const CycleTimes& times);
 
+class AnyParameter;
 class CycleClock;
 
 /// Observer of cycle ends, called on the cycle's thread; must not block.
@@ -50,8 +53,11 @@ public:
   /// Reorders the modules by index; called by Database.
   void sort(const std::vector<std::size_t>& order);
 
-  /// Schedules a parameter change of a module for a later cycle; thread-safe.
-  void postChange(Module& module, std::function<void()> apply);
+  static constexpr std::size_t changesPerCycle = 100; // bounds the work of a cycle; later cycles apply the others
+  static constexpr std::size_t mostChanges = 1000;    // waiting; beyond, a new value replaces the parameter's last one
+
+  /// Schedules a parameter change of a module for a later cycle, in the order of the calls; thread-safe.
+  void postChange(Module& module, const AnyParameter& parameter, std::function<void()> apply);
 
   /// Registers the only listener; must be called before the first cycle.
   void setListener(CycleListener& listener) { listener_ = &listener; }
@@ -65,6 +71,7 @@ public:
 private:
   struct Change {
     Module* module;
+    const AnyParameter* parameter;
     std::function<void()> apply;
   };
   void applyChanges();
@@ -77,11 +84,15 @@ private:
   std::vector<AnyProduction*> productions_;
 
   std::mutex changesMutex_; // the cycle only tries to lock it
-  std::vector<Change> changes_;
+  std::deque<Change> changes_;
 };
 
 /// Requests SCHED_FIFO scheduling for the calling thread. Returns the reason of a failure, empty on success.
 std::string requestRealTimePriority(int priority);
+
+/// Requests a short time slice for the calling thread, with which it preempts ordinary threads as soon as it wakes: for
+/// motion where the system refuses real-time priority. Needs no permission; Linux before 6.12 ignores it.
+void requestShortSlice();
 
 inline constexpr int backgroundNiceness = 10; // a tenth of the ordinary share of a processor
 
