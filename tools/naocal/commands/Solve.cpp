@@ -66,12 +66,13 @@ int solve(SolveCommand& command) {
     }
   }
   const CalibrationResult result = calibrate(measurements, model, command.options);
-  const auto json = resultJson({measurements, model, result}, given.inputs);
-  if (!command.output.empty()) {
-    writeJson(json, command.output);
-  }
-  if (!command.json.empty()) {
-    writeJson(json, command.json);
+  if (!command.output.empty() || !command.json.empty()) {
+    const auto json = resultJson({measurements, model, result}, given.inputs);
+    for (const std::string& file : {command.output, command.json}) {
+      if (!file.empty()) {
+        writeJson(json, file);
+      }
+    }
   }
   if (command.json != "-") {
     printCalibration({measurements, model, result});
