@@ -37,7 +37,8 @@ Section& section(std::vector<Section>& sections, const std::string& title) {
 std::vector<Section> sectionsOf(const CLI::App& app) {
   std::vector<Section> sections;
   for (const CLI::App* command : commandsOf(app)) {
-    const std::string group = command->get_group() == "Subcommands" ? "Commands" : command->get_group(); // CLI11's
+    const bool isInherited = command->get_group() == "Subcommands" || command->get_group() == app.get_group();
+    const std::string group = isInherited ? "Commands" : command->get_group();
     section(sections, group).rows.emplace_back(command->get_name(), command->get_description());
   }
   Section experts{expertOptions, {}}, help;

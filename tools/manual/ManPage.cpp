@@ -51,7 +51,7 @@ std::string optionRows(const Command& command, bool isExpert) {
 std::string commandRows(const Command& command) {
   std::string rows, group;
   for (const Command& each : command.commands) {
-    if (each.group != group && each.group != "Subcommands") {
+    if (each.group != group && each.group != "Subcommands" && each.group != command.group) {
       rows += fmt::format(".SS {}\n", escaped(each.group));
       group = each.group;
     }

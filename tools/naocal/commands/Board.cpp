@@ -225,12 +225,14 @@ void addBoard(CLI::App& app) {
           ->type_name("IDS")
           ->delimiter(',')
           ->capture_default_str(),
-      board->add_option("--squares", command->squares, "COLUMNSxROWS")
-          ->type_name("COLUMNSxROWS")
-          ->capture_default_str(),
-      board->add_option("--square-millimetres", command->squareMillimetres, "default: as large as the paper allows")
+      board->add_option("--squares", command->squares, "of a board")->type_name("COLUMNSxROWS")->capture_default_str(),
+      board
+          ->add_option("--square-millimetres", command->squareMillimetres,
+                       "side of a square; default: as large as the paper allows")
           ->check(number(5.0, 1000.0)),
-      board->add_option("--marker-millimetres", command->markerMillimetres, "default: three quarters of a square")
+      board
+          ->add_option("--marker-millimetres", command->markerMillimetres,
+                       "side of a marker; default: three quarters of a square")
           ->group(expertOptions)
           ->check(number(1.0, 1000.0)),
       board->add_option("--dictionary", command->dictionary, "of markers, one of OpenCV's")

@@ -104,6 +104,7 @@ void addNoise(CLI::App& simulator, SimulateOptions& options) {
       ->check(number(0.0, 100.0))
       ->capture_default_str();
   simulator.add_option("--pixel-noise", options.plan.corners.pixel, "standard deviation of a corner, per axis [px]")
+      ->group(expertOptions)
       ->check(number(0.0, 100.0))
       ->capture_default_str();
   simulator.add_flag("--heavy-tails", options.plan.corners.heavyTails, "corner noise after Student's t4, not normal")

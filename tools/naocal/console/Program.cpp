@@ -26,9 +26,9 @@ int run(std::string_view program, CompleteCommands complete, int argc, char** ar
   useHelp(app);
   app.set_version_flag("--version", NAOCAL_VERSION, "print the version");
   app.require_subcommand(1);
+  addTable(app); // before the footer, which commands would inherit
   app.footer("Example: naocal simulate /tmp/set && naocal solve /tmp/set -o /tmp/result.json\n"
              "Each command has its own --help, and a manual page: man naocal-solve.");
-  addTable(app);
   int exitCode = 0;
   complete(app, exitCode);
   tuneAllocator();
