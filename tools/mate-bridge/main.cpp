@@ -32,6 +32,7 @@ std::uint16_t portOf(const std::string& address) {
 } // namespace
 
 int main(int argc, char** argv) {
+  naocal::endWithSentence("mate-bridge");
   naocal::tuneAllocator();
   CLI::App app{"The panel: look at a calibration and at robots in a browser of this computer."};
   app.footer("Examples: mate-bridge captures/\n          mate-bridge result.json\n          mate-bridge "

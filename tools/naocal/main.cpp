@@ -29,6 +29,7 @@ void requireCommand(const CLI::App& app, const std::string& word) {
 } // namespace
 
 int main(int argc, char** argv) {
+  naocal::endWithSentence("naocal");
   naocal::tuneAllocator();
   CLI::App app{"naocal: calibrates a robot's joints and cameras from pictures of printed boards, with uncertainties.",
                "naocal"};
