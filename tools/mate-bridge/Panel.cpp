@@ -4,6 +4,7 @@
 #include "PanelHistory.hpp"
 #include "analysis/AnalysisWorker.hpp"
 #include "io/InputError.hpp"
+#include "io/JsonReader.hpp"
 #include "protocol/BoundedJson.hpp"
 #include "protocol/JointOrder.hpp"
 #include "robot/FloorScene.hpp"
@@ -185,6 +186,8 @@ struct Panel::Implementation {
 
     const Json& at(const char* key) const { return body.at(key); }
     std::string verb() const { return at("do"); }
+    /// A whole number from 0 on; throws InputError for another value.
+    int numberAt(const char* key) const { return JsonCursor{body, "the request"}.at(key).integer(0, maxInteger); }
 
     [[noreturn]] void refuseVerb() const {
       throw InputError{fmt::format("the bridge does not know how to do \"{}\"", verb())};
@@ -244,11 +247,11 @@ struct Panel::Implementation {
          [](const Request& request) { request.answer("checked", request.worker().checkEffect(request.at("effect"))); }},
         {"add", [](const Request& request) { request.worker().add(request.at("label")); }},
         {"drop", [](const Request& request) { request.worker().drop(request.at("label")); }},
-        {"goTo", [](const Request& request) { request.worker().goTo(request.at("rung")); }},
+        {"goTo", [](const Request& request) { request.worker().goTo(request.numberAt("rung")); }},
         {"define", [](const Request& request) { request.worker().defineEffect(request.at("effect")); }},
         {"search", [](const Request& request) { request.worker().searchMissing(); }},
         {"cancel", [](const Request& request) { request.worker().cancelSearch(); }},
-        {"propose", [](const Request& request) { request.worker().proposePoses(request.at("count")); }},
+        {"propose", [](const Request& request) { request.worker().proposePoses(request.numberAt("count")); }},
         {"compare", [](const Request& request) { request.worker().compareWith(request.at("paths")); }},
         {"history", [](const Request& request) { request.bridge.history.refresh(); }},
         {"openRun",

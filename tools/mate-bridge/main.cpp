@@ -48,6 +48,7 @@ std::filesystem::path runsFolder(const std::string& state) {
 } // namespace
 
 int main(int argc, char** argv) {
+  naocal::endWithSentence("mate-bridge");
   naocal::tuneAllocator();
   CLI::App app{"The panel: look at a calibration and at robots in a browser of this computer.", "mate-bridge"};
   naocal::useHelp(app);

@@ -244,11 +244,11 @@ json toJson(const ResultSources& sources) {
 
 StoredResult parseResult(const json& all, const std::string& name) {
   try {
-    if (all.value("format", "") != "naocal-result" || all.value("version", 0) != 1) {
+    if (const json version = all.value("version", json()); all.value("format", "") != "naocal-result" || version != 1) {
       throw InputError{
           fmt::format("{}: format: expected \"naocal-result\" version 1, as 'naocal solve' writes it, found {} "
                       "version {}",
-                      name, all.value("format", "none"), all.value("version", 0))};
+                      name, all.value("format", "none"), version.is_null() ? "0" : version.dump())};
     }
     StoredResult result;
     result.usable = all.at("usable").get<bool>();

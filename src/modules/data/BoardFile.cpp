@@ -118,7 +118,7 @@ using Written = nlohmann::ordered_json;
 
 /// `zeros`: keys of value 0 are written, too.
 Written placementJson(const Placement& placement, bool onFloor, const json& read, bool zeros = true) {
-  Written known;
+  auto known = Written::object(); // null, which turns into an object, crashes where memory is exhausted
   for (const PlacementKey& key : placementKeys) {
     const double value = placement.*key.value;
     const bool isWritten = (key.onFloor || !onFloor) && (zeros || value != 0);
@@ -198,7 +198,7 @@ nlohmann::ordered_json toJson(const Board& board, const nlohmann::json& read) {
   known["markerLength"] = ofPattern(pattern.markerLength);
   known["firstMarkerId"] = ofPattern(pattern.firstMarkerId);
   known["legacyPattern"] = ofPattern(pattern.legacyPattern);
-  known["points"] = nullptr;
+  known["points"] = board.pattern ? Written() : Written::array();
   if (!board.pattern) {
     for (const Eigen::Vector3d& point : board.points) {
       known["points"].push_back({point.x(), point.y(), point.z()});

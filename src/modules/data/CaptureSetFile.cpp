@@ -316,10 +316,11 @@ template <typename Entry, typename Id>
 std::vector<Entry> readList(const JsonCursor& place, Entry (*read)(const JsonCursor&), Refusals& refusals,
                             std::set<Id>& refused) {
   std::vector<Entry> entries;
+  std::set<Id> ids;
   for (const JsonCursor& element : place.elements()) {
     const bool isRead = refusals.attempt([&] {
       Entry entry = read(element);
-      if (std::any_of(entries.begin(), entries.end(), [&](const Entry& other) { return other.id == entry.id; })) {
+      if (!ids.insert(entry.id).second) {
         element.at("id").refuse("an id that no other entry of the list has");
       }
       entries.push_back(std::move(entry));
@@ -327,7 +328,7 @@ std::vector<Entry> readList(const JsonCursor& place, Entry (*read)(const JsonCur
     if (!isRead && element.value().is_object() && element.value().contains("id")) {
       const json& id = element.value()["id"];
       if constexpr (std::is_same_v<Id, int>) {
-        refused.insert(id.is_number() ? id.template get<int>() : 0);
+        refused.insert(id.is_number_integer() ? id.template get<int>() : 0);
       } else if (id.is_string()) {
         refused.insert(id.template get<Id>());
       }
@@ -491,7 +492,7 @@ Written numbersJson(const std::vector<double>& numbers, bool whole) {
 }
 
 Written jointsJson(const JointReadings& joints, const json& read) {
-  Written known;
+  auto known = Written::object();
   for (const JointList& list : jointLists) {
     const auto& values = joints.*list.values;
     const bool isWritten = !values.empty() || list.values == &JointReadings::measured;

@@ -2,12 +2,41 @@
 
 #include "io/InputError.hpp"
 
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
 #include <filesystem>
 #include <fmt/format.h>
 #include <new>
 #include <stdexcept>
 
 namespace naocal {
+namespace {
+
+constexpr char exhaustedMemory[] =
+    "the memory is exhausted; end other programs, or use fewer captures or smaller pictures";
+
+const char* programName = "";
+
+/// std::terminate_handler; does not allocate where memory is exhausted.
+[[noreturn]] void terminateWithSentence() {
+  try {
+    if (const std::exception_ptr error = std::current_exception()) {
+      std::rethrow_exception(error);
+    }
+  } catch (const std::bad_alloc&) {
+    std::fprintf(stderr, "%s: %s\n", programName, exhaustedMemory);
+    std::_Exit(2);
+  } catch (const std::exception& error) {
+    const Failure failure = describeFailure(error);
+    std::fprintf(stderr, "%s: %s\n", programName, printableText(failure.sentence, longestSentence).c_str());
+    std::_Exit(failure.exitCode);
+  } catch (...) {
+  }
+  std::abort();
+}
+
+} // namespace
 
 Failure describeFailure(const std::exception& error) {
   if (dynamic_cast<const InputError*>(&error) != nullptr) {
@@ -18,7 +47,7 @@ Failure describeFailure(const std::exception& error) {
                            refused->path1().string(), refused->code().message())};
   }
   if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) {
-    return {2, "the memory is exhausted; end other programs, or use fewer captures or smaller pictures"};
+    return {2, exhaustedMemory};
   }
   const std::string_view said = error.what();
   if (dynamic_cast<const std::domain_error*>(&error) != nullptr || said.find("boost::math") != said.npos) {
@@ -26,6 +55,11 @@ Failure describeFailure(const std::exception& error) {
                "corrections of effects that were given"};
   }
   return {1, fmt::format("internal error: {}", said)};
+}
+
+void endWithSentence(const char* program) {
+  programName = program;
+  std::set_terminate(terminateWithSentence);
 }
 
 } // namespace naocal

@@ -16,4 +16,9 @@ struct Failure {
 /// do.
 Failure describeFailure(const std::exception& error);
 
+/// Makes a process that cannot handle an exception end with "<program>: <sentence>" and the exit code, not by a signal:
+/// destructors of the JSON library allocate, and where memory is exhausted they cannot throw. `program` must outlive
+/// the process.
+void endWithSentence(const char* program);
+
 } // namespace naocal

@@ -99,7 +99,11 @@ bool isPng(std::string_view content) {
 /// failed (longjmp).
 bool encodeAsPng(const GreyPicture& picture, std::string& content) {
   png_structp writer = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
-  png_infop info = png_create_info_struct(writer);
+  png_infop info = writer == nullptr ? nullptr : png_create_info_struct(writer);
+  if (info == nullptr) { // no memory
+    png_destroy_write_struct(&writer, nullptr);
+    return false;
+  }
   if (setjmp(png_jmpbuf(writer)) != 0) {
     png_destroy_write_struct(&writer, &info);
     return false;

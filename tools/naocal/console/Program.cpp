@@ -38,6 +38,7 @@ int run(std::string_view program, CompleteCommands complete, int argc, char** ar
 } // namespace
 
 int runProgram(std::string_view program, CompleteCommands complete, int argc, char** argv) {
+  endWithSentence("naocal");
   try {
     return run(program, complete, argc, argv);
   } catch (const std::exception& error) {

@@ -8,6 +8,7 @@
 #include <charconv>
 #include <cmath>
 #include <fmt/format.h>
+#include <map>
 
 namespace naocal {
 namespace {
@@ -96,12 +97,13 @@ private:
 
   /// Members up to `close`, or up to the end of the text if that is '\0'.
   void readMembers(MapText& map, char close, int depth) {
+    std::map<std::string, int> lines; // of the names so far; a search among the members would take hours of a long file
     for (skipSpace(); at_ < text_.size() && peek() != close; skipSpace()) {
       const int line = line_;
       std::string name = readName();
-      if (const MapText* before = map.find(name)) {
+      if (const auto [before, isNew] = lines.try_emplace(name, line); !isNew) {
         throw InputError{fmt::format("{}: line {}: expected each name once, found {} again (first in line {})", file_,
-                                     line, name, before->line)};
+                                     line, name, before->second)};
       }
       require('=', fmt::format("\"=\" behind {}", name));
       MapText value = readValue(depth);
