@@ -100,7 +100,7 @@ PlainProblem plainProblem(const Robot& robot, const CameraIntrinsics& camera, Ra
   problem.torsoToHead = stepsTo(robot, mount.link);
   problem.torsoToSole = stepsTo(robot, robot.findSole("left")->link);
   const Eigen::Matrix3d cameraFromOptical = (Eigen::Matrix3d{} << 0, 0, 1, -1, 0, 0, 0, -1, 0).finished();
-  problem.headFromOpticalRotation = rotationY(mount.pitch) * cameraFromOptical;
+  problem.headFromOpticalRotation = mount.rotation * cameraFromOptical;
   problem.opticalInHead = mount.translation;
   problem.focalLength = camera.fx;
   problem.centre = {camera.cx, camera.cy};

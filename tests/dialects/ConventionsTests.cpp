@@ -1,10 +1,10 @@
 #include "dialects/BHuman.hpp"
-#include "dialects/text/Decimals.hpp"
 #include "dialects/Hulks.hpp"
 #include "dialects/HulksTree.hpp"
 #include "dialects/Kalibr.hpp"
 #include "dialects/MountAngles.hpp"
 #include "dialects/RosCameraInfo.hpp"
+#include "dialects/text/Decimals.hpp"
 
 #include "RobotV6.hpp"
 #include "math/Angles.hpp"
@@ -33,10 +33,10 @@ Matrix3d about(const Vector3d& axis, double angle) {
   return AngleAxisd{angle, axis}.toRotationMatrix();
 }
 
-/// headFromCamera of the top camera here: the mount's pitch, then the correction.
+/// headFromCamera of the top camera here: the drawn mount, then the correction.
 Matrix3d ourMount() {
-  const double pitch = v6().cameras[*v6().cameraIndex("top")].pitch;
-  return about(Vector3d::UnitY(), pitch) * about(Vector3d::UnitX(), turned.x()) * about(Vector3d::UnitY(), turned.y()) *
+  const Matrix3d drawn = v6().cameras[*v6().cameraIndex("top")].rotation;
+  return drawn * about(Vector3d::UnitX(), turned.x()) * about(Vector3d::UnitY(), turned.y()) *
          about(Vector3d::UnitZ(), turned.z());
 }
 
@@ -101,7 +101,7 @@ TEST_CASE("kalibr's transform takes a point from the top camera's optical frame 
   }
   const auto inOptical = [](const char* name, const Vector3d& pointInHead) {
     const CameraMount& mount = v6().cameras[*v6().cameraIndex(name)];
-    const Vector3d inCamera = about(Vector3d::UnitY(), mount.pitch).transpose() * (pointInHead - mount.translation);
+    const Vector3d inCamera = mount.rotation.transpose() * (pointInHead - mount.translation);
     return Vector3d{-inCamera.y(), -inCamera.z(), inCamera.x()};
   };
   const Vector3d point{1, 0.2, -0.3};

@@ -52,7 +52,7 @@ Seen pinhole(const Robot& robot, const LinkPoses& torsoFromLink, const Sole& sup
   const Eigen::Vector3d pointInSole = rotationZ(board.placement->yaw) * pointInBoard +
                                       Eigen::Vector3d{board.placement->x, board.placement->y, board.placement->z};
   const CameraMount& mount = robot.cameras[*robot.cameraIndex(sight.camera)];
-  const RigidTransform headFromCamera{rotationY(mount.pitch), mount.translation};
+  const RigidTransform headFromCamera{mount.rotation, mount.translation};
   const RigidTransform soleFromCamera =
       torsoFromLink[support.link].inverse() * torsoFromLink[mount.link] * headFromCamera;
   const Eigen::Vector3d p = soleFromCamera.inverse() * pointInSole;
@@ -164,7 +164,7 @@ TEST_CASE("the information of a pose is that of its pictures") {
       const Eigen::Vector3d turn = x.segment<3>(24 + 3 * camera);
       const CameraMount& mount = robot.cameras[static_cast<std::size_t>(camera)];
       const RigidTransform headFromCamera{
-          rotationY(mount.pitch) * rotationX(turn.x()) * rotationY(turn.y()) * rotationZ(turn.z()), mount.translation};
+          mount.rotation * rotationX(turn.x()) * rotationY(turn.y()) * rotationZ(turn.z()), mount.translation};
       const RigidTransform cameraFromSole =
           (torsoFromLink[support.link].inverse() * torsoFromLink[mount.link] * headFromCamera).inverse();
       for (std::size_t board = 0; board < moved.size(); ++board) {

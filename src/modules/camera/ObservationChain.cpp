@@ -249,6 +249,16 @@ ObservationChain::Twist ObservationChain::linkMotion(const Robot& robot, const C
     return Twist::Zero();
   }
   const RigidTransform& torsoFromThis = torsoFromLink[link];
+  if (robot.joints[joint].isPrismatic) {
+    // a shift by axis * q: by q along the axis, by a component of the axis along that of the link, times q
+    const Eigen::Vector3d shift =
+        isAngle ? Eigen::Vector3d{modelState.axis(joint)}
+                : modelState.angle(joint) *
+                      Eigen::Vector3d::Unit(static_cast<Eigen::Index>((quantity - quantities_.axis(0)) % 3));
+    Twist twist = Twist::Zero();
+    twist.tail<3>() = side_[link] * (attitude.opticalFromTorso.rotation * (torsoFromThis.rotation * shift));
+    return twist;
+  }
   Eigen::Vector3d turn = modelState.axis(joint);
   if (!isAngle) {
     // exp([a q]x) with a -> a + da rotates by J_l(a q) q da; seen from behind the rotation, by its transpose.
@@ -271,9 +281,9 @@ ObservationChain::Twist ObservationChain::mountMotion(const Robot& robot, const 
     twist.tail<3>() = -opticalFromLink.col(static_cast<Eigen::Index>(number));
     return twist;
   }
-  // linkFromCamera = Ry(pitch) Rx(rx) Ry(ry) Rz(rz)
+  // linkFromCamera = R(mount) Rx(rx) Ry(ry) Rz(rz)
   const Eigen::Vector3d turn = modelState.mountRotation();
-  Eigen::Matrix3d before = rotationY(mount.pitch);
+  Eigen::Matrix3d before = mount.rotation;
   if (number > 3) {
     before = before * rotationX(turn.x());
   }

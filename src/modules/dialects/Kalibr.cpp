@@ -23,7 +23,7 @@ RigidTransform nominalMount(const Robot& robot, const std::string& camera) {
     throw InputError{fmt::format("the {} has no camera {}", robot.model, camera)};
   }
   const CameraMount& mount = robot.cameras[*index];
-  return {rotationY(mount.pitch), mount.translation};
+  return {mount.rotation, mount.translation};
 }
 
 /// The camera's mount with its corrections: linkFromOptical.

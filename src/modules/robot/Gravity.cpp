@@ -13,9 +13,10 @@ namespace naocal {
 
 namespace {
 
-/// A joint with the links it rotates, seen from the held link.
+/// A joint with the links it moves, seen from the held link.
 struct Turning {
-  Eigen::Vector3d axis = Eigen::Vector3d::Zero();   // points away from the held link: rotates what lies beyond
+  Eigen::Vector3d axis =
+      Eigen::Vector3d::Zero(); // points away from the held link: rotates what lies beyond; prismatic: 0
   Eigen::Vector3d moment = Eigen::Vector3d::Zero(); // axis x sum m (p - pivot): d(sum m p)/dq [kg m/rad]
 };
 
@@ -55,7 +56,8 @@ void addGrowth(const Robot& robot, std::array<std::size_t, 3> joints, double ben
   do {
     const std::size_t motor = robot.joints[joints[0]].motor;
     if (motor == robot.joints[joints[1]].motor) {
-      load.growthByAngle(eigenIndex(motor), eigenIndex(joints[2])) += bend;
+      const double ratio = robot.joints[joints[0]].ratio * robot.joints[joints[1]].ratio;
+      load.growthByAngle(eigenIndex(motor), eigenIndex(joints[2])) += ratio * bend;
     }
   } while (std::next_permutation(joints.begin(), joints.end()));
 }
@@ -94,20 +96,30 @@ struct HeldRobot {
   std::vector<Moment> beyond;    // per link, as `moments`
 };
 
-/// Axis and moment of `joint`. Its angle rotates all links beyond it; if the held link is among them, all links before
-/// it, backwards.
+/// Sums over the links that a joint's angle moves: all beyond it; if the held link is among them, all before it,
+/// negative as they move backwards.
+Moment movedBy(const HeldRobot& held, std::size_t link) {
+  Moment moved = held.beyond[link];
+  if (held.carriesHeld[link] != 0) {
+    const Moment& whole = held.beyond.front();
+    moved = {moved.mass - whole.mass, moved.first - whole.first};
+  }
+  return moved;
+}
+
+/// Sum of m (p - pivot) over the links that a joint moves, in the torso frame [kg m].
+Eigen::Vector3d leverOf(const HeldRobot& held, std::size_t link) {
+  const Moment moved = movedBy(held, link);
+  return moved.first - moved.mass * held.torsoFromLink[link].translation;
+}
+
 Turning turningOf(const HeldRobot& held, std::size_t joint) {
   const std::size_t link = held.robot.joints[joint].link;
-  const RigidTransform& torsoFromThis = held.torsoFromLink[link];
-  const Eigen::Vector3d axis = torsoFromThis.rotation * held.modelState.axis(joint);
-  const bool backwards = held.carriesHeld[link] != 0;
-  Moment rotated = held.beyond[link];
-  if (backwards) {
-    const Moment& whole = held.beyond.front();
-    rotated = {rotated.mass - whole.mass, rotated.first - whole.first};
+  const Eigen::Vector3d axis = held.torsoFromLink[link].rotation * held.modelState.axis(joint);
+  if (held.robot.joints[joint].isPrismatic) {
+    return {Eigen::Vector3d::Zero(), axis * movedBy(held, link).mass};
   }
-  const Eigen::Vector3d lever = rotated.first - rotated.mass * torsoFromThis.translation;
-  return {backwards ? Eigen::Vector3d{-axis} : axis, axis.cross(lever)};
+  return {held.carriesHeld[link] != 0 ? Eigen::Vector3d{-axis} : axis, axis.cross(leverOf(held, link))};
 }
 
 GravityLoad zeroLoad(const Robot& robot, bool withGrowthByAngle) {
@@ -133,26 +145,32 @@ void addCouplings(const HeldRobot& held, const std::vector<Turning>& turning, co
   }
 }
 
-/// Sets `torqueGrowth` of each motor: a motor rotates all its joints.
+/// Sets `torqueGrowth` of each motor: a motor moves all its joints, by their ratios.
 void sumTorqueGrowth(const Robot& robot, GravityLoad& load) {
   const std::size_t joints = robot.joints.size();
   for (std::size_t joint = 0; joint < joints; ++joint) {
     for (std::size_t other = 0; other < joints; ++other) {
       if (robot.joints[other].motor == robot.joints[joint].motor) {
         load.torqueGrowth[eigenIndex(robot.joints[joint].motor)] +=
+            robot.joints[joint].ratio * robot.joints[other].ratio *
             load.torqueByAngle(eigenIndex(joint), eigenIndex(other));
       }
     }
   }
 }
 
-/// Gives all joints of a motor the sum of their torques, which it bears.
+/// Gives all joints of a motor the sum of their torques times their ratios, which it bears.
 void sumTorquesOfMotors(const Robot& robot, GravityLoad& load) {
   for (std::size_t number = 0; number < robot.joints.size(); ++number) {
     const Eigen::Index joint = eigenIndex(number), motor = eigenIndex(robot.joints[number].motor);
     if (motor != joint) {
-      load.torque[motor] += load.torque[joint];
-      load.torqueByAngle.row(motor) += load.torqueByAngle.row(joint);
+      load.torque[motor] += robot.joints[number].ratio * load.torque[joint];
+      load.torqueByAngle.row(motor) += robot.joints[number].ratio * load.torqueByAngle.row(joint);
+    }
+  }
+  for (std::size_t number = 0; number < robot.joints.size(); ++number) {
+    const Eigen::Index joint = eigenIndex(number), motor = eigenIndex(robot.joints[number].motor);
+    if (motor != joint) {
       load.torque[joint] = load.torque[motor];
       load.torqueByAngle.row(joint) = load.torqueByAngle.row(motor);
       load.torqueGrowth[joint] = load.torqueGrowth[motor];
@@ -206,10 +224,30 @@ Eigen::VectorXd gravityTorques(const Robot& robot, const ModelState& modelState,
   Eigen::VectorXd torques = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(robot.joints.size()));
   for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
     const double torque = -gravity * upInTorso.dot(turningOf(held, joint).moment);
-    torques[static_cast<Eigen::Index>(robot.joints[joint].motor)] += torque;
+    torques[static_cast<Eigen::Index>(robot.joints[joint].motor)] += robot.joints[joint].ratio * torque;
   }
   for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
     torques[static_cast<Eigen::Index>(joint)] = torques[static_cast<Eigen::Index>(robot.joints[joint].motor)];
+  }
+  return torques;
+}
+
+Eigen::Matrix2Xd lateralTorques(const Robot& robot, const ModelState& modelState, const LinkPoses& torsoFromLink,
+                                std::size_t heldLink, const Eigen::Vector3d& upInTorso) {
+  const HeldRobot held{
+      robot, modelState, torsoFromLink, upInTorso, carriers(robot, heldLink), moments(robot, torsoFromLink)};
+  Eigen::Matrix2Xd torques{2, eigenIndex(robot.joints.size())};
+  for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
+    const std::size_t link = robot.joints[joint].link;
+    const Eigen::Vector3d lever = leverOf(held, link);
+    const auto normals = bearingNormals(modelState.axis(joint));
+    const double turned = robot.joints[joint].isPrismatic ? 0 : modelState.angle(joint);
+    const Eigen::Matrix3d torsoFromBearing =
+        torsoFromLink[link].rotation * rotationAbout(-turned * modelState.axis(joint));
+    for (Eigen::Index i = 0; i < 2; ++i) {
+      const Eigen::Vector3d normal = torsoFromBearing * normals[static_cast<std::size_t>(i)];
+      torques(i, eigenIndex(joint)) = -gravity * upInTorso.dot(normal.cross(lever));
+    }
   }
   return torques;
 }

@@ -21,6 +21,8 @@ struct GravityLoad {
 ///
 ///   d2U/dq_J dq_K = g up . (a_J x (a_K x L_K)), else 0, and with I before J
 ///   d3U/dq_I dq_J dq_K = g up . (a_I x (a_J x (a_K x L_K))).
+///
+/// A prismatic joint K has a_K sum m in place of a_K x L_K; as J or I it has no second derivative.
 GravityLoad gravityLoad(const Robot& robot, const ModelState& modelState, const LinkPoses& torsoFromLink,
                         std::size_t heldLink, const Eigen::Vector3d& upInTorso, bool withGrowthByAngle = false);
 
@@ -34,9 +36,16 @@ struct CentreOfMass {
 CentreOfMass centreOfMass(const Robot& robot, const LinkPoses& torsoFromLink);
 
 /// tau_J = -dU/dq_J [Nm] per joint: generalised force of gravity with `heldLink` (a sole, or the torso) held still and
-/// all other angles fixed; positive where gravity drives the angle positive. If a motor drives two joints, both entries
-/// hold the sum. `upInTorso`: unit vector against gravity, in the torso frame.
+/// all other angles fixed; positive where gravity drives the angle positive. If a motor drives several joints, all
+/// their entries hold the sum of their torques times their ratios. `upInTorso`: unit vector against gravity, in the
+/// torso frame.
 Eigen::VectorXd gravityTorques(const Robot& robot, const ModelState& modelState, const LinkPoses& torsoFromLink,
                                std::size_t heldLink, const Eigen::Vector3d& upInTorso);
+
+/// Gravity's torques about the normals n1, n2 of each joint's axis (`bearingNormals`, in the frame before the joint's
+/// own turn) through the joint's origin [Nm], one column per joint: the bearing bears them. Sign and held link as in
+/// `gravityTorques`.
+Eigen::Matrix2Xd lateralTorques(const Robot& robot, const ModelState& modelState, const LinkPoses& torsoFromLink,
+                                std::size_t heldLink, const Eigen::Vector3d& upInTorso);
 
 } // namespace naocal

@@ -73,11 +73,17 @@ void forwardKinematics(const Robot& robot, const ModelState& modelState, const s
     const RigidTransform& parent = link.parent ? torsoFromLink[*link.parent] : torso;
     RigidTransform& torsoFromThis = torsoFromLink[index];
     torsoFromThis.translation = parent * origin(link, modelState);
+    torsoFromThis.rotation = parent.rotation;
+    if (link.rotation) {
+      torsoFromThis.rotation *= *link.rotation;
+    }
     if (link.joint) {
-      torsoFromThis.rotation.noalias() =
-          parent.rotation * rotationAbout(modelState.axis(*link.joint) * modelState.angle(*link.joint));
-    } else {
-      torsoFromThis.rotation = parent.rotation;
+      const Eigen::Vector3d motion = modelState.axis(*link.joint) * modelState.angle(*link.joint);
+      if (robot.joints[*link.joint].isPrismatic) {
+        torsoFromThis.translation += torsoFromThis.rotation * motion;
+      } else {
+        torsoFromThis.rotation *= rotationAbout(motion);
+      }
     }
   }
 }
@@ -108,7 +114,7 @@ RigidTransform transformFromPlacement(const Eigen::Ref<const Eigen::Matrix<doubl
 
 RigidTransform linkFromCamera(const CameraMount& mount, const ModelState& modelState) {
   const Eigen::Vector3d turn = modelState.mountRotation();
-  return {rotationY(mount.pitch) * rotationX(turn.x()) * rotationY(turn.y()) * rotationZ(turn.z()),
+  return {mount.rotation * rotationX(turn.x()) * rotationY(turn.y()) * rotationZ(turn.z()),
           mount.translation + modelState.mountTranslation()};
 }
 

@@ -15,7 +15,8 @@ using LinkPoses = std::vector<RigidTransform>;
 /// Links between the root and the given ones, without duplicates, parents first: the input of `forwardKinematics`.
 std::vector<std::size_t> ancestorLinks(const Robot& robot, const std::vector<std::size_t>& links);
 
-/// Computes `links` (parents first): torsoFromLink = torsoFromParent * T(origin) * exp([axis * angle]x).
+/// Computes `links` (parents first): torsoFromLink = torsoFromParent * T(origin) * rotation * exp([axis * angle]x), or
+/// * T(axis * angle) for a prismatic joint.
 void forwardKinematics(const Robot& robot, const ModelState& modelState, const std::vector<std::size_t>& links,
                        LinkPoses& torsoFromLink);
 
@@ -31,7 +32,7 @@ LinkPoses forwardKinematics(const Robot& robot, const Eigen::VectorXd& angles);
 /// parentFromFrame = T(x, y, z) Rz(yaw) Ry(pitch) Rx(roll) of the six numbers x, y, z [m], roll, pitch, yaw [rad].
 RigidTransform transformFromPlacement(const Eigen::Ref<const Eigen::Matrix<double, 6, 1>>& placement);
 
-/// linkFromCamera = T(mount + dt) Ry(pitch) Rx(rx) Ry(ry) Rz(rz); camera axes x forward, y left, z up.
+/// linkFromCamera = T(mount + dt) R(mount) Rx(rx) Ry(ry) Rz(rz); camera axes x forward, y left, z up.
 RigidTransform linkFromCamera(const CameraMount& mount, const ModelState& modelState);
 
 /// The same rotation and origin with OpenCV's axes: x right, y down, z forward.

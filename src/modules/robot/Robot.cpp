@@ -1,5 +1,6 @@
 #include "robot/Robot.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -76,6 +77,16 @@ std::filesystem::path configurationDirectory() {
     }
   }
   return NAOCAL_SOURCE_CONFIGURATION;
+}
+
+std::array<Eigen::Vector3d, 2> bearingNormals(const Eigen::Vector3d& axis) {
+  Eigen::Index along = 0;
+  for (Eigen::Index i = 1; i < 3; ++i) {
+    along = std::abs(axis[i]) >= std::abs(axis[along]) ? i : along;
+  }
+  const Eigen::Vector3d next = Eigen::Vector3d::Unit((along + 1) % 3);
+  const Eigen::Vector3d n1 = (next - axis.dot(next) * axis).normalized();
+  return {n1, axis.cross(n1)};
 }
 
 } // namespace naocal

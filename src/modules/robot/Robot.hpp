@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <optional>
@@ -28,19 +29,24 @@ struct CoupledLimits {
   std::vector<AngleRange> ranges; // limits of this joint at each of those angles [rad]
 };
 
-/// A revolute joint: rotates its link about `axis`. All frames are parallel at zero angles.
+/// A joint that turns its link about `axis` (revolute; continuous where it has no limits), or shifts it along `axis`
+/// (prismatic: its "angle", limits and offsets are lengths [m], its torque a force [N]).
 struct Joint {
   std::string name;
   std::size_t link = 0;
-  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ(); // unit vector, in the link's frame before the rotation
-  AngleRange limits;                               // [rad]
-  std::optional<CoupledLimits> coupled;            // applies in addition to `limits`
-  double maxSpeed = 0;                             // [rad/s]
-  double restAngle = 0;  // with the arms hanging down; assumed where not recorded, and in plans [rad]
-  std::size_t motor = 0; // index of the joint whose motor drives this one: itself, except for the right hip yaw-pitch
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ(); // unit vector, in the link's frame before the motion
+  bool isPrismatic = false;
+  AngleRange limits;                    // [rad]; infinite for a continuous joint
+  std::optional<CoupledLimits> coupled; // applies in addition to `limits`
+  double maxSpeed = 0;                  // [rad/s]
+  double restAngle = 0;                 // with the arms hanging down; assumed where not recorded, and in plans [rad]
+  std::size_t motor = 0; // index of the joint whose motor drives this one: itself, unless this joint mimics another
+  // Of a joint that mimics: angle = ratio * angle of `motor` + shift.
+  double ratio = 1, shift = 0;
 };
 
-/// A rigid part. parentFromLink = T(constant + sum_k lengths[k].value * direction) * R(axis, angle).
+/// A rigid part. parentFromLink = T(constant + sum_k lengths[k].value * direction) * rotation * R(axis, angle), or
+/// * T(axis * angle) for a prismatic joint.
 struct Link {
   std::string name;
   std::optional<std::size_t> parent;                  // absent: the root (torso)
@@ -50,18 +56,19 @@ struct Link {
     Eigen::Vector3d direction = Eigen::Vector3d::Zero();
   };
   std::vector<Stretch> stretches;
-  std::optional<std::size_t> joint;                       // absent: fixed to its parent
-  double mass = 0;                                        // [kg]
+  std::optional<Eigen::Matrix3d> rotation; // absent: parallel to the parent at angle zero, as all of a NAO
+  std::optional<std::size_t> joint;        // absent: fixed to its parent
+  double mass = 0;                         // [kg]
   Eigen::Vector3d centreOfMass = Eigen::Vector3d::Zero(); // in the link's frame [m]
 };
 
-/// Nominal mount of a camera: linkFromCamera = T(translation) * Ry(pitch); camera axes x forward (optical axis), y
-/// left, z up.
+/// Nominal mount of a camera: linkFromCamera = T(translation) * rotation; camera axes x forward (optical axis), y left,
+/// z up.
 struct CameraMount {
   std::string name;
   std::size_t link = 0;
   Eigen::Vector3d translation = Eigen::Vector3d::Zero(); // [m]
-  double pitch = 0;                                      // [rad]
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
 };
 
 /// A sole. Its frame is that of its link: origin below the ankle, on the floor, x forward.
@@ -113,5 +120,10 @@ std::filesystem::path configurationDirectory();
 /// Limits of `joint` at the given angles (one per joint of the robot) [rad]: its own, intersected with the coupled
 /// ones.
 AngleRange jointLimitsAt(const Robot& robot, std::size_t joint, const Eigen::VectorXd& angles);
+
+/// The normals of a joint's axis about which its bearing tilts and yields. For an axis along a coordinate axis the next
+/// two coordinate axes (x -> y -> z -> x); otherwise n1 = the coordinate axis after the one along which |axis| is
+/// largest, made normal to the axis, and n2 = axis x n1. For a NAO's hip yaw-pitch axis n1 = x. `axis`: unit vector.
+std::array<Eigen::Vector3d, 2> bearingNormals(const Eigen::Vector3d& axis);
 
 } // namespace naocal

@@ -4,6 +4,7 @@
 #include "io/InputError.hpp"
 #include "io/JsonReader.hpp"
 #include "math/Angles.hpp"
+#include "math/RigidTransform.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -249,7 +250,7 @@ void readCameras(const JsonCursor& drawing, Robot& robot) {
     robot.cameras.push_back({.name = name,
                              .link = readLink(place.at("link"), robot),
                              .translation = readMetres3(place.at("originMillimetres")),
-                             .pitch = radians(place.at("pitchDegrees").number(degreeRange))});
+                             .rotation = rotationY(radians(place.at("pitchDegrees").number(degreeRange)))});
   }
 }
 

@@ -1,21 +1,7 @@
 #include "effects/Catalogue.hpp"
 #include "math/RigidTransform.hpp"
 
-#include <Eigen/Geometry>
-
 namespace naocal {
-
-namespace {
-/// (y, z) for an axis along x, (z, x) for y, (x, y) for z; (x, a cross x) for the hip yaw-pitch axis a.
-std::pair<Eigen::Vector3d, Eigen::Vector3d> tiltAxes(const Eigen::Vector3d& axis) {
-  for (Eigen::Index i = 0; i < 3; ++i) {
-    if (std::abs(axis[i]) > 0.9) {
-      return {Eigen::Vector3d::Unit((i + 1) % 3), Eigen::Vector3d::Unit((i + 2) % 3)};
-    }
-  }
-  return {Eigen::Vector3d::UnitX(), axis.cross(Eigen::Vector3d::UnitX())};
-}
-} // namespace
 
 /// The joint's axis deviates from the nominal one; no correction at q = 0. 0.01 rad: 0.3 mm over a bearing seat of 30
 /// mm.
@@ -28,7 +14,7 @@ Effect axisTilt() {
           .linear = false,
           .correct = [](ModelState& modelState, const RobotSample&, std::size_t joint, std::span<const double> values) {
             const Eigen::Vector3d axis = modelState.axis(joint);
-            const auto [n1, n2] = tiltAxes(axis);
+            const auto [n1, n2] = bearingNormals(axis);
             modelState.axis(joint) = rotationAbout(values[0] * n1) * rotationAbout(values[1] * n2) * axis;
           }};
 }

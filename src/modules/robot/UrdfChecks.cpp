@@ -1,0 +1,242 @@
+#include "robot/UrdfChecks.hpp"
+
+#include "io/InputError.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <map>
+#include <sstream>
+#include <string_view>
+#include <tinyxml.h>
+#include <vector>
+
+namespace naocal {
+
+namespace {
+
+/// A URDF's document while it is checked.
+struct UrdfText {
+  TiXmlDocument document;
+  std::string name; // of the file
+};
+
+[[noreturn]] void refuse(const UrdfText& urdf, const std::string& place, const std::string& expected,
+                         const std::string& found) {
+  throw InputError{fmt::format("{}, {}: expected {}, found {}", urdf.name, place, expected, found)};
+}
+
+std::string text(const TiXmlElement& element, const char* attribute) {
+  const char* value = element.Attribute(attribute);
+  return value == nullptr ? "" : value;
+}
+
+/// "link 'trunk'", "joint 'knee'" or "<origin> of joint 'knee'".
+std::string placeOf(const TiXmlElement& element) {
+  const std::string name = text(element, "name");
+  const TiXmlNode* parent = element.Parent();
+  const std::string own =
+      name.empty() ? fmt::format("<{}>", element.Value()) : fmt::format("{} '{}'", element.Value(), name);
+  const bool isTop =
+      parent == nullptr || parent->ToElement() == nullptr || parent->Value() == std::string_view{"robot"};
+  return isTop ? own : fmt::format("{} of {}", own, placeOf(*parent->ToElement()));
+}
+
+/// Applies `visit` to an element and all elements in it.
+template <typename Visit> void visitElements(const TiXmlElement& element, const Visit& visit) {
+  visit(element);
+  for (const TiXmlElement* child = element.FirstChildElement(); child != nullptr; child = child->NextSiblingElement()) {
+    visitElements(*child, visit);
+  }
+}
+
+/// Refuses nesting that would exhaust the parser's stack: it parses elements within elements by recursion.
+void checkNesting(std::string_view text, const std::string& name) {
+  constexpr std::ptrdiff_t most = 100; // levels; a link's deepest element is the fourth
+  std::ptrdiff_t depth = 0;
+  for (std::size_t at = text.find('<'); at != text.npos; at = text.find('<', at + 1)) {
+    if (text.substr(at).starts_with("<!--")) {
+      at = text.find("-->", at);
+      if (at == text.npos) {
+        return;
+      }
+    } else if (text.substr(at).starts_with("</")) {
+      --depth;
+    } else {
+      const std::size_t end = text.find('>', at);
+      depth += end != text.npos && text[end - 1] == '/' ? 0 : 1;
+    }
+    if (depth > most) {
+      throw InputError{fmt::format("{}: expected a URDF, found more than {} elements within each other", name, most)};
+    }
+  }
+}
+
+void refuseXacro(const UrdfText& urdf) {
+  visitElements(*urdf.document.RootElement(), [&](const TiXmlElement& element) {
+    const std::string_view tag = element.Value();
+    bool isXacro = tag.starts_with("xacro:");
+    for (const TiXmlAttribute* entry = element.FirstAttribute(); entry != nullptr; entry = entry->Next()) {
+      const std::string_view value = entry->Value();
+      isXacro = isXacro || value.find("${") != value.npos || value.find("$(") != value.npos;
+    }
+    if (isXacro) {
+      throw InputError{fmt::format("{}, {}: a xacro file, not a URDF; expand it first: xacro {} > robot.urdf",
+                                   urdf.name, placeOf(element), urdf.name)};
+    }
+  });
+}
+
+/// Numbers of an attribute; refuses others, and a wrong count.
+void requireNumbers(const UrdfText& urdf, const TiXmlElement& element, const char* attribute, std::size_t count) {
+  const char* value = element.Attribute(attribute);
+  if (value == nullptr) {
+    return;
+  }
+  std::istringstream words{value};
+  std::size_t numbers = 0;
+  for (std::string word; words >> word; ++numbers) {
+    const std::string_view digits = word.starts_with('+') ? std::string_view{word}.substr(1) : word;
+    double number = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+    if (error != std::errc{} || end != digits.data() + digits.size() || !std::isfinite(number)) {
+      refuse(urdf, placeOf(element), fmt::format("finite numbers in '{}'", attribute), fmt::format("'{}'", value));
+    }
+  }
+  if (numbers != count) {
+    refuse(urdf, placeOf(element), fmt::format("{} number{} in '{}'", count, count == 1 ? "" : "s", attribute),
+           fmt::format("'{}'", value));
+  }
+}
+
+void checkNumbers(const UrdfText& urdf) {
+  struct Numbers {
+    const char *element, *attribute;
+    std::size_t count;
+  };
+  constexpr std::array<Numbers, 18> all{{{"origin", "xyz", 3},
+                                         {"origin", "rpy", 3},
+                                         {"axis", "xyz", 3},
+                                         {"mass", "value", 1},
+                                         {"inertia", "ixx", 1},
+                                         {"inertia", "ixy", 1},
+                                         {"inertia", "ixz", 1},
+                                         {"inertia", "iyy", 1},
+                                         {"inertia", "iyz", 1},
+                                         {"inertia", "izz", 1},
+                                         {"limit", "lower", 1},
+                                         {"limit", "upper", 1},
+                                         {"limit", "velocity", 1},
+                                         {"limit", "effort", 1},
+                                         {"mimic", "multiplier", 1},
+                                         {"mimic", "offset", 1},
+                                         {"dynamics", "damping", 1},
+                                         {"dynamics", "friction", 1}}};
+  visitElements(*urdf.document.RootElement(), [&](const TiXmlElement& element) {
+    for (const Numbers& numbers : all) {
+      if (element.Value() == std::string_view{numbers.element}) {
+        requireNumbers(urdf, element, numbers.attribute, numbers.count);
+      }
+    }
+  });
+}
+
+/// Name of the link that an element of a joint refers to.
+std::string linkOf(const UrdfText& urdf, const TiXmlElement& joint, const char* role,
+                   const std::vector<std::string>& links) {
+  const TiXmlElement* element = joint.FirstChildElement(role);
+  const std::string link = element == nullptr ? "" : text(*element, "link");
+  if (std::find(links.begin(), links.end(), link) == links.end()) {
+    refuse(urdf, placeOf(joint), fmt::format("a <{}> with the name of a link", role),
+           link.empty() ? "none" : fmt::format("'{}'", link));
+  }
+  return link;
+}
+
+void checkJoint(const UrdfText& urdf, const TiXmlElement& joint) {
+  static constexpr std::array<std::string_view, 4> types{"revolute", "continuous", "prismatic", "fixed"};
+  const std::string type = text(joint, "type");
+  if (std::find(types.begin(), types.end(), type) == types.end()) {
+    refuse(urdf, placeOf(joint), fmt::format("a type among {}", fmt::join(types, ", ")), fmt::format("'{}'", type));
+  }
+  if ((type == "revolute" || type == "prismatic") && joint.FirstChildElement("limit") == nullptr) {
+    refuse(urdf, placeOf(joint), fmt::format("a <limit>, as its type is {}", type), "none");
+  }
+}
+
+std::vector<std::string> namesOf(const UrdfText& urdf, const char* tag) {
+  std::vector<std::string> names;
+  const TiXmlElement* element = urdf.document.RootElement()->FirstChildElement(tag);
+  for (; element != nullptr; element = element->NextSiblingElement(tag)) {
+    const std::string name = text(*element, "name");
+    if (name.empty() || std::find(names.begin(), names.end(), name) != names.end()) {
+      refuse(urdf, placeOf(*element), fmt::format("a name that no {} before has", tag),
+             name.empty() ? "none" : fmt::format("'{}' again", name));
+    }
+    names.push_back(name);
+  }
+  return names;
+}
+
+/// Refuses links and joints that form no tree.
+void checkTree(const UrdfText& urdf) {
+  const std::vector<std::string> links = namesOf(urdf, "link");
+  constexpr std::size_t most = 1000;
+  if (links.empty() || links.size() > most) {
+    refuse(urdf, "<robot>", fmt::format("1 to {} links", most), fmt::format("{}", links.size()));
+  }
+  namesOf(urdf, "joint");
+  std::map<std::string, std::string> parents; // by child
+  const TiXmlElement* joint = urdf.document.RootElement()->FirstChildElement("joint");
+  for (; joint != nullptr; joint = joint->NextSiblingElement("joint")) {
+    checkJoint(urdf, *joint);
+    const std::string parent = linkOf(urdf, *joint, "parent", links), child = linkOf(urdf, *joint, "child", links);
+    if (!parents.emplace(child, parent).second) {
+      refuse(urdf, placeOf(*joint), "a tree, in which each link is the child of one joint",
+             fmt::format("link '{}', which is another joint's child: the links form a loop", child));
+    }
+  }
+  std::vector<std::string> roots;
+  std::copy_if(links.begin(), links.end(), std::back_inserter(roots),
+               [&](const std::string& link) { return parents.count(link) == 0; });
+  if (roots.size() != 1) {
+    refuse(urdf, "links", "one root, a link that is no joint's child",
+           roots.empty() ? "none: the links form a loop" : fmt::format("{}: {}", roots.size(), fmt::join(roots, ", ")));
+  }
+  for (const std::string& link : links) {
+    std::string at = link;
+    for (std::size_t steps = 0; parents.count(at) != 0; ++steps) {
+      if (steps > links.size()) {
+        refuse(urdf, fmt::format("link '{}'", link), "a tree", "links that form a loop");
+      }
+      at = parents.at(at);
+    }
+  }
+}
+
+} // namespace
+
+void checkUrdf(const std::string& text, const std::string& name) {
+  UrdfText urdf{{}, name};
+  if (text.find('\0') != text.npos) {
+    throw InputError{fmt::format("{}: expected a URDF, found a zero byte", name)};
+  }
+  checkNesting(text, name);
+  urdf.document.Parse(text.c_str(), nullptr, TIXML_ENCODING_UTF8);
+  if (urdf.document.Error()) {
+    throw InputError{fmt::format("{}, line {}, column {}: expected XML, found an error there ({})", name,
+                                 urdf.document.ErrorRow(), urdf.document.ErrorCol(), urdf.document.ErrorDesc())};
+  }
+  const TiXmlElement* root = urdf.document.RootElement();
+  if (root == nullptr || root->Value() != std::string_view{"robot"}) {
+    refuse(urdf, "top", "the element <robot>", root == nullptr ? "none" : fmt::format("<{}>", root->Value()));
+  }
+  refuseXacro(urdf);
+  checkNumbers(urdf);
+  checkTree(urdf);
+}
+
+} // namespace naocal
