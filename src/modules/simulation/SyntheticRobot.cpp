@@ -167,7 +167,7 @@ Eigen::Isometry3d SyntheticRobot::torsoFromCamera(std::size_t camera, const Eige
   const CameraMount& nominal = drawing_.cameras[camera];
   const RobotErrors::Mount& error = errors_.mounts[camera];
   return body_.forwardKinematics(joints)[nominal.link] * Eigen::Translation3d{nominal.translation + error.translation} *
-         Eigen::AngleAxisd{nominal.pitch, Eigen::Vector3d::UnitY()} *
+         Eigen::Isometry3d{nominal.rotation} *
          Eigen::AngleAxisd{error.rotation.x(), Eigen::Vector3d::UnitX()} *
          Eigen::AngleAxisd{error.rotation.y(), Eigen::Vector3d::UnitY()} *
          Eigen::AngleAxisd{error.rotation.z(), Eigen::Vector3d::UnitZ()};
