@@ -43,6 +43,19 @@ void requireSamePdf(const std::filesystem::path& file, std::string_view creator)
   }
 }
 
+/// Throws InputError if a file holds something else than a table whose first line is this mark.
+void requireSameTable(const std::filesystem::path& file, std::string_view mark) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(file, ignored)) {
+    return;
+  }
+  if (const std::string content = readFile(file); !content.empty() && !content.starts_with(std::string{mark} + "\n")) {
+    throw InputError{fmt::format("{}: expected a new file or one that starts with \"{}\" to replace, found something "
+                                 "else; it is left alone, name another file or remove it first",
+                                 file.string(), mark)};
+  }
+}
+
 } // namespace
 
 void requireSameKind(const std::filesystem::path& file, std::string_view format) {
@@ -86,6 +99,20 @@ CLI::Validator replaceablePdf(std::string_view creator) {
                           return std::string{};
                         },
                         ""};
+}
+
+CLI::Validator replaceableTable(std::string_view mark) {
+  return CLI::Validator{[mark](const std::string& file) {
+                          requireSameTable(file, mark);
+                          return std::string{};
+                        },
+                        ""};
+}
+
+void writeTable(const std::filesystem::path& file, const std::string& table) {
+  requireSameTable(file, table.substr(0, table.find('\n')));
+  removeAbandonedWritesOf(file);
+  writeAtomically(file, table);
 }
 
 void writeJson(const nlohmann::json& json, const std::string& file) {
