@@ -32,9 +32,10 @@ ThesisEvaluation evaluated(const ThesisSetting& setting, std::size_t sets, std::
 } // namespace
 
 TEST_CASE("without noise our solver finds all offsets of every error set, from three poses on", "[slow]") {
-  // Proves it for 30 error sets of every noiseless setting of the tables; `naocal evaluate thesis` runs thousands.
+  // Proves it for 30 error sets of every noiseless setting of the tables, except those as the thesis's program made
+  // them, whose board at the foot is hardly seen; `naocal evaluate thesis` runs thousands.
   for (const auto& [setting, solvers] : thesisSettings()) {
-    if (setting.noise == ThesisNoise::none) {
+    if (setting.noise == ThesisNoise::none && !setting.likeProgram()) {
       INFO(setting.name());
       const ThesisExperiment stage = thesisStageFor(setting);
       ThesisTrial trial{stage, setting, 0.3};

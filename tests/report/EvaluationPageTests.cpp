@@ -39,6 +39,22 @@ json evaluation() {
           {"cells", {cell, plain}}};
 }
 
+/// The same as the thesis's own program made it, with residuals on the floor and restarted failures.
+json programEvaluation() {
+  json file = evaluation();
+  for (json& cell : file["cells"]) {
+    cell["table"] = "5.6-program";
+    cell["feature"] = "program-grid";
+    cell["chosenBy"] = "thesis-program";
+    cell["residuals"] = {{"squareMetres", 0.05},
+                         {"squares", {{4, -2, 3, 6.0}, {5, -2, 2, 0.5}}},
+                         {"fieldsOfView", {{{0.1, 0.2}, {1.5, 0.9}, {1.4, -0.9}, {0.1, -0.2}}}}};
+  }
+  file["cells"][1]["solver"] = "lm-program";
+  file["restartedFailures"] = {{"failures", 40}, {"reached", 39}, {"ranOut", 20}, {"interval", {0.87, 0.995}}};
+  return file;
+}
+
 std::string evaluationPage(const json& file) {
   const TemporaryFolder folder;
   writeAtomically(folder.path() / "evaluation.json", file.dump());
@@ -77,4 +93,33 @@ TEST_CASE("a browser draws the page about an evaluation without complaint", "[br
   CHECK_THAT(*drawn, !Catch::Contains("Uncaught"));
   CHECK_THAT(*drawn, Catch::Contains("aria-label=\"HeadYaw\""));
   CHECK_THAT(*drawn, Catch::Contains("aria-label=\"boards, 3 poses, noise: both (encoder)\""));
+}
+
+TEST_CASE("a page about the thesis's program has maps of residuals and the restarted failures") {
+  // Proves that means, fields of view and counts are handed over, that tables have their titles, and that malformed
+  // maps are refused.
+  const json data = shown(evaluationPage(programEvaluation()));
+  CHECK(data["tables"][0]["name"] == "5.6 as its program made it");
+  REQUIRE(data["residualMaps"].size() == 1);
+  const json& map = data["residualMaps"][0];
+  REQUIRE(map["solvers"].size() == 2);
+  CHECK(map["solvers"][1]["solver"] == "lm-program");
+  CHECK(map["solvers"][1]["squares"][0] == json{4, -2, 3, 2});
+  CHECK(map["fieldsOfView"][0][1] == json{1.5, 0.9});
+  CHECK(data["restartedFailures"]["reached"] == 39);
+  CHECK(shown(evaluationPage(evaluation()))["residualMaps"].empty());
+  json bad = programEvaluation();
+  bad["cells"][0]["residuals"]["squares"][0] = {4, -2};
+  CHECK_THROWS_AS(evaluationPage(bad), InputError);
+}
+
+TEST_CASE("a browser draws maps of residuals without complaint", "[browser]") {
+  // Proves, with Chromium installed, that a map per solver and the sentence about restarts exist and no script fails.
+  const auto drawn = drawnByBrowser(evaluationPage(programEvaluation()));
+  if (!drawn) {
+    return;
+  }
+  CHECK_THAT(*drawn, !Catch::Contains("Uncaught"));
+  CHECK_THAT(*drawn, Catch::Contains("aria-label=\"residuals on the floor, the thesis's program\""));
+  CHECK_THAT(*drawn, Catch::Contains("of 40 noiseless failures here, 39 reach the true offsets"));
 }

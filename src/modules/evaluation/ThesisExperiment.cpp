@@ -11,6 +11,7 @@
 #include "poses/criteria/ThesisCriterion.hpp"
 #include "robot/Balance.hpp"
 #include "simulation/SimulationPlan.hpp"
+#include "simulation/SyntheticCamera.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +24,10 @@ namespace {
 
 /// Noise before rounding, 1 sigma [rad].
 double angleSigma(AngleNoise noise) {
-  return noise == AngleNoise::radians ? 0.007 : noise == AngleNoise::degrees ? radians(0.007) : 0;
+  return noise == AngleNoise::radians     ? 0.007
+         : noise == AngleNoise::degrees   ? radians(0.007)
+         : noise == AngleNoise::unrounded ? programAngleNoise
+                                          : 0;
 }
 
 /// Deflection of a sticking gear behind the encoder, 1 sigma: half a motor's dead zone [rad].
@@ -151,9 +155,54 @@ void findSeen(const Board& target, const CameraFrames& attitude, const Projected
   }
 }
 
+/// A pattern of floor points as a target.
+Board asTarget(const FloorPattern& pattern, std::string id) {
+  Board target;
+  target.id = std::move(id);
+  target.placement = Placement{pattern.x, pattern.y, 0, 0, 0, pattern.yaw};
+  const Eigen::Matrix2Xd points = pattern.points();
+  for (Eigen::Index i = 0; i < points.cols(); ++i) {
+    target.points.emplace_back(points(0, i), points(1, i), 0);
+  }
+  return target;
+}
+
+/// A target's points in the left sole's frame [m].
+Eigen::Matrix2Xd pointsOnFloor(const Board& target) {
+  Eigen::Matrix2Xd points(2, eigenIndex(target.points.size()));
+  for (std::size_t i = 0; i < target.points.size(); ++i) {
+    points.col(eigenIndex(i)) = (isometryFromPlacement(target.placement.value()) * target.points[i]).head<2>();
+  }
+  return points;
+}
+
+/// Floor points as the thesis's program sees them: by the bottom camera, if the picture passes the horizon test, and
+/// wherever they lie in the image.
+ThesisScene makeProgramScene(const std::vector<FloorPattern>& patterns) {
+  ThesisScene result{{}, {{"bottom", nominalCameras(640, 480).at("bottom")}}, {}, true};
+  for (const FloorPattern& pattern : patterns) {
+    result.targets.push_back(asTarget(pattern, fmt::format("pattern {}", result.targets.size() + 1)));
+  }
+  result.limits.nearest = 0;
+  result.limits.farthest = 100;
+  result.limits.grazing = 0;
+  result.limits.border = 0;
+  result.limits.corners = 1;
+  return result;
+}
+
 /// Boards: the four A2 boards of simulated sets. Grid: points every 0.25 m up to 4 m away, in tiles of one square metre
 /// with known correspondence; single points of a tile are visible too.
-ThesisScene makeThesisScene(ThesisFeature feature) {
+ThesisScene makeThesisScene(ThesisFeature feature, const std::vector<FloorPattern>& patterns) {
+  if (feature == ThesisFeature::file) {
+    return makeProgramScene(patterns);
+  }
+  if (feature == ThesisFeature::programGrid) {
+    return makeProgramScene({programGrid()});
+  }
+  if (feature == ThesisFeature::fourBoards || feature == ThesisFeature::eightBoards) {
+    return makeProgramScene({programBoard()});
+  }
   ThesisScene result{{}, nominalCameras(640, 480), {}};
   if (feature == ThesisFeature::grid) {
     result.targets = floorTiles();
@@ -214,8 +263,10 @@ Measurements observeEverything(const Robot& robot, const ThesisScene& scenery, c
 Noise thesisNoise(const ThesisSetting& setting, double pixel) {
   const double noPixelNoise = setting.angleNoise() ? 0.03 : 0.01; // [px]
   const double rounding =
-      encoderStep / std::sqrt(isDithered(setting) ? 6.0 : 12.0); // one uniform error, or the sum of two
-  return {.pixel = setting.pixelNoise() ? pixel : noPixelNoise,
+      setting.likeProgram() ? 0 : encoderStep / std::sqrt(isDithered(setting) ? 6.0 : 12.0); // one uniform error, or
+                                                                                             // the sum of two
+  return {.pixel =
+              setting.pixelNoise() ? pixel / std::sqrt(static_cast<double>(copiesOf(setting.feature))) : noPixelNoise,
           .encoder = setting.angleNoise() ? std::hypot(angleSigma(setting.jointNoise), rounding) : 0,
           .pose = setting.angleNoise() && setting.jointNoise == AngleNoise::stiction ? stiction : 0};
 }
@@ -223,6 +274,9 @@ Noise thesisNoise(const ThesisSetting& setting, double pixel) {
 AngleReading readAngle(double commanded, const ThesisSetting& setting, RandomStream& chance) {
   if (!setting.angleNoise()) {
     return {commanded, commanded};
+  }
+  if (setting.likeProgram()) {
+    return {commanded + chance.normal(programAngleNoise), commanded};
   }
   const double raw = commanded + chance.uniformWithin(encoderStep / 2);
   const double noise =
@@ -243,10 +297,53 @@ std::vector<ThesisPose> posesForSetting(const ThesisSetting& setting, const Robo
   return result;
 }
 
+std::size_t copiesOf(ThesisFeature feature) {
+  return feature == ThesisFeature::fourBoards ? 4 : feature == ThesisFeature::eightBoards ? 8 : 1;
+}
+
+Eigen::VectorXd anglesOfAll(const Robot& robot, const std::vector<std::string>& names, const Eigen::VectorXd& angles) {
+  Eigen::VectorXd all = Eigen::VectorXd::Zero(eigenIndex(robot.joints.size()));
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    all[eigenIndex(robot.jointIndex(names[i]).value())] = angles[eigenIndex(i)];
+  }
+  return all;
+}
+
+std::vector<Eigen::VectorXd> selectHeldOutPoses(const Robot& robot, const std::vector<std::string>& names,
+                                                std::size_t count) {
+  constexpr std::size_t candidates = 600;
+  std::vector<std::size_t> motors;
+  for (const std::string& name : names) {
+    motors.push_back(robot.jointIndex(name).value());
+  }
+  const ThesisScene scenery = makeProgramScene({programGrid()});
+  const SoleCamera<double> camera{robot, robot.cameraIndex("bottom").value(), robot.findSole("left")->link, motors,
+                                  scenery.cameras.at("bottom")};
+  std::vector<Eigen::VectorXd> result;
+  for (const Eigen::VectorXd& pose : candidatePoses(robot, scenery, candidates)) {
+    const Eigen::VectorXd angles = pose(std::vector<Eigen::Index>(motors.begin(), motors.end()));
+    if (result.size() < count && passesHorizonTest(camera, camera.cameraFromSole(angles))) {
+      result.push_back(angles);
+    }
+  }
+  if (result.size() < count) {
+    throw InputError{fmt::format("expected {} held-out poses that see the floor, found {} in {} stable ones", count,
+                                 result.size(), candidates)};
+  }
+  return result;
+}
+
 std::vector<Eigen::VectorXd> selectThesisPoses(const Robot& robot, ThesisFeature feature, PoseChoice choice,
                                                std::size_t count) {
+  if (choice == PoseChoice::program) {
+    std::vector<Eigen::VectorXd> poses;
+    for (const Eigen::VectorXd& angles : programPoses(programJoints())) {
+      poses.push_back(anglesOfAll(robot, programJoints(), angles));
+    }
+    return poses;
+  }
   constexpr std::size_t candidates = 300;
-  const std::vector<Eigen::VectorXd> poses = candidatePoses(robot, makeThesisScene(feature), candidates);
+  const std::vector<Eigen::VectorXd> poses = candidatePoses(robot, makeThesisScene(feature, {}), candidates);
   const ThesisSetting drawn{.feature = feature, .poses = poses.size()};
   const ThesisExperiment stage{robot, drawn, posesForSetting(drawn, robot, poses)};
   const Model model = makeExperimentModel(stage, range / std::sqrt(3.0), 0);
@@ -273,8 +370,9 @@ std::vector<Eigen::VectorXd> selectThesisPoses(const Robot& robot, ThesisFeature
 }
 
 ThesisExperiment::ThesisExperiment(const Robot& robot, const ThesisSetting& setting,
-                                   const std::vector<ThesisPose>& poses)
-    : scenery_{makeThesisScene(setting.feature)}, everything_{observeEverything(robot, scenery_, setting, poses)} {
+                                   const std::vector<ThesisPose>& poses, const ThesisInputs& inputs)
+    : inputs_{inputs}, scenery_{makeThesisScene(setting.feature, inputs.features)},
+      everything_{observeEverything(robot, scenery_, setting, poses)} {
   std::vector<Effect> effects{jointOffset()};
   if (setting.unknownPlaces) {
     effects.push_back(cameraRotation());
@@ -286,6 +384,50 @@ ThesisExperiment::ThesisExperiment(const Robot& robot, const ThesisSetting& sett
       driven_.emplace_back(joint, motor - joints().begin());
     }
   }
+  if (scenery_.hasHorizonTest) {
+    tested_ = bottomCamera<double>();
+    for (const Target& target : everything_.targets) {
+      targetPoints_.push_back(pointsOnFloor(target.board));
+    }
+  }
+}
+
+template <typename Scalar> SoleCamera<Scalar> ThesisExperiment::bottomCamera() const {
+  const Robot& robot = everything_.robot;
+  return {robot, robot.cameraIndex("bottom").value(), robot.findSole("left")->link, joints(),
+          scenery_.cameras.at("bottom")};
+}
+
+template SoleCamera<float> ThesisExperiment::bottomCamera() const;
+template SoleCamera<double> ThesisExperiment::bottomCamera() const;
+
+Eigen::Vector2d ThesisExperiment::floorPoint(const BoardObservation& observation, std::size_t corner) const {
+  return targetPoints_[observation.view.board()].col(eigenIndex(corner));
+}
+
+Eigen::Matrix2Xd ThesisExperiment::floorPoints() const {
+  Eigen::Matrix2Xd all(2, 0);
+  for (const Eigen::Matrix2Xd& points : targetPoints_) {
+    all.conservativeResize(2, all.cols() + points.cols());
+    all.rightCols(points.cols()) = points;
+  }
+  return all;
+}
+
+std::vector<std::array<Eigen::Vector2d, 4>> ThesisExperiment::fieldsOfView() const {
+  const SoleCamera<double> camera = bottomCamera<double>();
+  std::vector<std::array<Eigen::Vector2d, 4>> result;
+  for (const PoseGroup& pose : everything_.poses) {
+    const ModelState& nominal = everything_.pictures[pose.readings.front().pictures.front()].nominal;
+    Eigen::VectorXd angles(eigenIndex(joints().size()));
+    for (std::size_t i = 0; i < joints().size(); ++i) {
+      angles[eigenIndex(i)] = nominal.angle(joints()[i]);
+    }
+    if (const auto view = fieldOfView(camera, camera.cameraFromSole(angles), programReach)) {
+      result.push_back(*view);
+    }
+  }
+  return result;
 }
 
 std::vector<std::string> ThesisExperiment::jointNames() const {
@@ -296,12 +438,43 @@ std::vector<std::string> ThesisExperiment::jointNames() const {
   return names;
 }
 
+/// The same as the thesis's program sees: if the picture passes the horizon test, all points that lie in it.
+void ThesisExperiment::lookAsProgram(const ImageObservation& all, const Eigen::VectorXd& angles,
+                                     ImageObservation& seen) const {
+  thread_local BoardCorners corners;
+  thread_local Eigen::Matrix2Xd pixels;
+  seen.observations.clear();
+  const auto cameraFromSole = tested_->cameraFromSole(angles);
+  if (!passesHorizonTest(*tested_, cameraFromSole)) {
+    return;
+  }
+  for (const BoardObservation& observation : all.observations) {
+    const Board& target = everything_.targets[observation.view.board()].board;
+    tested_->project(cameraFromSole, targetPoints_[observation.view.board()], pixels);
+    corners.ids.clear();
+    corners.uv.clear();
+    for (Eigen::Index i = 0; i < pixels.cols(); ++i) {
+      if (isInImage(tested_->lens(), pixels.col(i))) {
+        corners.ids.push_back(static_cast<int>(i));
+        corners.uv.emplace_back(pixels.col(i));
+      }
+    }
+    if (!corners.ids.empty()) {
+      seen.observations.push_back({observation.view, packCorners(target, corners), corners.ids});
+    }
+  }
+}
+
 /// Fills `seen` with the visible corners when the experiment's joints have these true angles.
 void ThesisExperiment::look(const ImageObservation& all, const Eigen::VectorXd& angles, const Eigen::VectorXd& truth,
                             ImageObservation& seen) const {
   thread_local LinkPoses torsoFromLink;
   thread_local ProjectedBlocks projected;
   thread_local BoardCorners corners;
+  if (tested_) {
+    lookAsProgram(all, angles, seen);
+    return;
+  }
   const Robot& robot = everything_.robot;
   ModelState real = all.nominal;
   for (const auto& [joint, i] : driven_) {

@@ -1,13 +1,17 @@
 #pragma once
 
 #include "estimation/Residuals.hpp"
+#include "evaluation/SoleCamera.hpp"
+#include "evaluation/ThesisProgram.hpp"
 #include "evaluation/ThesisSetting.hpp"
 #include "math/Sampling.hpp"
 #include "measurements/Measurements.hpp"
 #include "measurements/Noise.hpp"
 #include "poses/candidates/PlanningScene.hpp"
 
+#include <array>
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace naocal {
@@ -18,7 +22,7 @@ struct AngleReading {
 };
 
 /// Measurement noise of a setting, known to our solver. Noiseless quantities get a small value to keep the problem
-/// regular: 0.01 px, or 0.03 px if angles are noisy.
+/// regular: 0.01 px, or 0.03 px if angles are noisy. Corners that coincide n times have pixel noise / sqrt(n).
 Noise thesisNoise(const ThesisSetting& setting, double pixel);
 
 /// Simulates a commanded joint: it stops within half an encoder step of the command; the reading has the setting's
@@ -30,7 +34,26 @@ struct ThesisScene {
   std::vector<Board> targets;
   std::map<std::string, CameraIntrinsics> cameras;
   VisibilityLimits limits;
+  bool hasHorizonTest = false; // pictures need to pass passesHorizonTest
 };
+
+/// Number of coinciding points of a feature.
+std::size_t copiesOf(ThesisFeature feature);
+
+/// What a run reads from files, or selects once for all settings.
+struct ThesisInputs {
+  std::vector<FloorPattern> features;   // of ThesisFeature::file
+  std::vector<Eigen::VectorXd> offsets; // of ErrorSets::file, per joint of the experiment [rad]
+  std::vector<Eigen::VectorXd> heldOut; // poses to test calibrations, angles per joint of the experiment [rad]
+};
+
+/// Stable poses of the left foot in which the thesis's program would use the picture: angles per name [rad]. They
+/// differ from the poses of calibrations. Throws InputError if there are fewer than `count`.
+std::vector<Eigen::VectorXd> selectHeldOutPoses(const Robot& robot, const std::vector<std::string>& names,
+                                                std::size_t count);
+
+/// Angles of all joints [rad], with these joints at these angles and all others at zero.
+Eigen::VectorXd anglesOfAll(const Robot& robot, const std::vector<std::string>& names, const Eigen::VectorXd& angles);
 
 /// A pose: support foot and angles per joint [rad].
 struct ThesisPose {
@@ -46,7 +69,8 @@ std::vector<ThesisPose> posesForSetting(const ThesisSetting& setting, const Robo
 /// D-optimal selection: each pose adds the most information about the offsets, averaged over these robots (0.3 px
 /// corner noise, encoder noise marginalised). With PoseChoice::chain: the thesis's chain among the same poses, by
 /// similarity of joint rotations to the drawn robot's cameras. Both are nested: the first three are the selection of
-/// three. Throws InputError if there are fewer than `count` such poses.
+/// three. With PoseChoice::program: all poses of the thesis's program (programPoses), whatever the count. Throws
+/// InputError if there are fewer than `count` such poses.
 std::vector<Eigen::VectorXd> selectThesisPoses(const Robot& robot, ThesisFeature feature, PoseChoice choice,
                                                std::size_t count);
 
@@ -57,13 +81,27 @@ std::vector<Eigen::VectorXd> selectThesisPoses(const Robot& robot, ThesisFeature
 class ThesisExperiment {
 public:
   /// Each pose is taken as often as the setting has samples, with new readings each time.
-  ThesisExperiment(const Robot& robot, const ThesisSetting& setting, const std::vector<ThesisPose>& poses);
+  ThesisExperiment(const Robot& robot, const ThesisSetting& setting, const std::vector<ThesisPose>& poses,
+                   const ThesisInputs& inputs = {});
 
   /// All corners of all targets in all poses; template for `simulate`.
   const Measurements& allObservations() const { return everything_; }
   /// Motors of the unknown offsets, ascending.
   const std::vector<std::size_t>& joints() const { return everything_.joints; }
   std::vector<std::string> jointNames() const;
+
+  const ThesisInputs& inputs() const { return inputs_; }
+
+  /// The bottom camera above the left sole, with the joints of the experiment as motors.
+  template <typename Scalar> SoleCamera<Scalar> bottomCamera() const;
+
+  /// All points on the floor, in the left sole's frame [m]; of settings like the program's, as the next function.
+  Eigen::Matrix2Xd floorPoints() const;
+  /// A target's point of an observation in the left sole's frame [m].
+  Eigen::Vector2d floorPoint(const BoardObservation& observation, std::size_t corner) const;
+
+  /// What the bottom camera sees of the floor in each pose, without offsets (fieldOfView).
+  std::vector<std::array<Eigen::Vector2d, 4>> fieldsOfView() const;
 
   /// Possible unknowns: the offsets first, followed by mounts and places if the setting has them.
   const Model& model() const { return model_; }
@@ -77,8 +115,13 @@ private:
   void look(const ImageObservation& all, const Eigen::VectorXd& angles, const Eigen::VectorXd& truth,
             ImageObservation& seen) const;
 
+  void lookAsProgram(const ImageObservation& all, const Eigen::VectorXd& angles, ImageObservation& seen) const;
+
+  ThesisInputs inputs_;
   ThesisScene scenery_;
   Measurements everything_;
+  std::optional<SoleCamera<double>> tested_;   // camera of the horizon test
+  std::vector<Eigen::Matrix2Xd> targetPoints_; // per target, if there is a horizon test [m]
   Model model_;
   std::vector<std::pair<std::size_t, Eigen::Index>> driven_; // joint, and the index of its motor in `joints()`
 };

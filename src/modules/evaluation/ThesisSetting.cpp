@@ -41,6 +41,27 @@ std::vector<PublishedRow> publishedRows() {
           {"5.8", boards, random, both, 3, {{3, 34.38}, {8, 76.28}}}};
 }
 
+/// The same as the thesis's own program made them, and its author's later runs of table 5.7 with eight boards (the
+/// program's doc/logs/2019-06-02/summary.json, "stdLm").
+std::vector<PublishedRow> programRows() {
+  using enum ThesisNoise;
+  constexpr auto lm = ThesisSolver::program;
+  constexpr auto eight = ThesisFeature::eightBoards;
+  std::vector<PublishedRow> rows = publishedRows();
+  for (PublishedRow& row : rows) {
+    row.feature = row.table == "5.6"   ? ThesisFeature::programGrid
+                  : row.table == "5.7" ? ThesisFeature::fourBoards
+                                       : ThesisFeature::eightBoards;
+    row.solver = row.table == "5.8" ? ThesisSolver::programStarts : ThesisSolver::program;
+    row.table += "-program";
+  }
+  rows.push_back({"5.7-log", eight, lm, none, 1, {{3, 57.88}, {5, 67.28}, {8, 84.18}}});
+  rows.push_back({"5.7-log", eight, lm, pixel, 1, {{3, 34.14}, {5, 47.02}, {8, 74.76}}});
+  rows.push_back({"5.7-log", eight, lm, joint, 1, {{3, 34.92}, {5, 38.02}, {8, 54.54}}});
+  rows.push_back({"5.7-log", eight, lm, both, 1, {{3, 20.70}, {5, 31.10}, {8, 48.70}}});
+  return rows;
+}
+
 /// Interpretations to evaluate: one without joint noise, otherwise three.
 std::vector<AngleNoise> readings(const ThesisSetting& setting) {
   return setting.angleNoise() ? std::vector{AngleNoise::radians, AngleNoise::degrees, AngleNoise::encoder}
@@ -54,7 +75,10 @@ std::string ThesisSetting::name() const {
                      angleNoise() ? fmt::format(" ({})", toString(jointNoise)) : "",
                      samples > 1 ? fmt::format(", {} samples", samples) : "", largeErrors ? ", 1..6.5 deg" : "",
                      bothLegs ? ", both legs" : "", unknownPlaces ? ", mounts and places unknown" : "",
-                     choice == PoseChoice::chain ? ", the thesis's poses" : "");
+                     choice == PoseChoice::chain     ? ", the thesis's poses"
+                     : choice == PoseChoice::program ? ", its program's poses"
+                     : choice == PoseChoice::file    ? ", poses of a file"
+                                                     : "");
 }
 
 std::vector<ThesisCell> thesisCells() {
@@ -71,9 +95,35 @@ std::vector<ThesisCell> thesisCells() {
       }
     }
   }
-  const std::vector<ThesisCell> beyond = furtherCells();
-  cells.insert(cells.end(), beyond.begin(), beyond.end());
+  for (const std::vector<ThesisCell>& more : {programCells(), furtherCells()}) {
+    cells.insert(cells.end(), more.begin(), more.end());
+  }
   return cells;
+}
+
+std::vector<ThesisCell> programCells() {
+  std::vector<ThesisCell> cells;
+  for (const PublishedRow& row : programRows()) {
+    for (const auto& [poses, percent] : row.success) {
+      const ThesisSetting setting{.feature = row.feature,
+                                  .poses = poses + 1,
+                                  .noise = row.noise,
+                                  .jointNoise = AngleNoise::unrounded,
+                                  .samples = row.samples,
+                                  .choice = PoseChoice::program,
+                                  .errorSets = ErrorSets::program};
+      cells.push_back({row.table, setting, row.solver, std::round(100 * percent) / 1e4});
+    }
+  }
+  return cells;
+}
+
+std::vector<ThesisSetting> fileSettings(const ThesisSetting& common) {
+  std::vector<ThesisSetting> settings(4, common);
+  for (std::size_t noise = 0; noise < settings.size(); ++noise) {
+    settings[noise].noise = static_cast<ThesisNoise>(noise);
+  }
+  return settings;
 }
 
 std::vector<ThesisCell> furtherCells() {
@@ -97,12 +147,12 @@ bool isInTable55(const ThesisSetting& setting) {
   return setting.feature == ThesisFeature::grid && setting.poses == 3 && setting.noise == ThesisNoise::none;
 }
 
-std::vector<std::pair<ThesisSetting, std::vector<ThesisSolver>>> thesisSettings() {
+SolvedSettings thesisSettings() {
   std::map<ThesisSetting, std::set<ThesisSolver>> settings;
   for (const ThesisCell& cell : thesisCells()) {
     settings[cell.setting].insert({cell.solver, ThesisSolver::plain, ThesisSolver::ours});
   }
-  std::vector<std::pair<ThesisSetting, std::vector<ThesisSolver>>> result;
+  SolvedSettings result;
   for (const auto& [setting, solvers] : settings) {
     result.emplace_back(setting, std::vector<ThesisSolver>(solvers.begin(), solvers.end()));
   }
@@ -110,7 +160,8 @@ std::vector<std::pair<ThesisSetting, std::vector<ThesisSolver>>> thesisSettings(
 }
 
 std::string_view toString(ThesisFeature feature) {
-  return feature == ThesisFeature::grid ? "grid" : "boards";
+  return std::array{"grid", "boards", "program-grid", "program-boards-4", "program-boards-8", "file"}.at(
+      static_cast<std::size_t>(feature));
 }
 
 std::string_view toString(ThesisNoise noise) {
@@ -118,15 +169,21 @@ std::string_view toString(ThesisNoise noise) {
 }
 
 std::string_view toString(AngleNoise noise) {
-  return std::array{"0.007rad", "0.007deg", "encoder", "encoder+stiction"}.at(static_cast<std::size_t>(noise));
+  return std::array{"0.007rad", "0.007deg", "encoder", "encoder+stiction", "0.007deg-unrounded"}.at(
+      static_cast<std::size_t>(noise));
 }
 
 std::string_view toString(PoseChoice choice) {
-  return choice == PoseChoice::ours ? "ours" : "thesis-chain";
+  return std::array{"ours", "thesis-chain", "thesis-program", "file"}.at(static_cast<std::size_t>(choice));
+}
+
+std::string_view toString(ErrorSets errors) {
+  return std::array{"uniform", "thesis-program", "file"}.at(static_cast<std::size_t>(errors));
 }
 
 std::string_view toString(ThesisSolver solver) {
-  return std::array{"lm", "lm-random-starts", "ours", "lm-numeric", "dlib", "pso"}.at(static_cast<std::size_t>(solver));
+  return std::array{"lm", "lm-random-starts", "ours", "lm-numeric", "dlib", "pso", "lm-program", "lm-program-starts"}
+      .at(static_cast<std::size_t>(solver));
 }
 
 } // namespace naocal

@@ -1,5 +1,6 @@
 #include "evaluation/ThesisTables.hpp"
 
+#include "evaluation/Proportion.hpp"
 #include "io/Files.hpp"
 #include "io/InputError.hpp"
 #include "io/JsonReader.hpp"
@@ -31,9 +32,25 @@ template <typename Share> nlohmann::json byTolerance(const Share& share) {
   return result;
 }
 
-nlohmann::json cellJson(const ThesisCell& cell, ThesisSolver solver, const ThesisTally& tally,
-                        const std::vector<std::string>& joints) {
+/// Mean residuals on the floor and the poses' fields of view [m].
+nlohmann::json residualsJson(const ThesisOutcome& outcome) {
+  nlohmann::json squares = nlohmann::json::array(), views = nlohmann::json::array();
+  for (const ResidualMap::Square& square : outcome.tally.residuals.squares()) {
+    squares.push_back({square.x, square.y, square.count, std::round(1000 * square.sum) / 1000});
+  }
+  for (const auto& view : outcome.fieldsOfView) {
+    nlohmann::json corners = nlohmann::json::array();
+    for (const Eigen::Vector2d& corner : view) {
+      corners.push_back({corner.x(), corner.y()});
+    }
+    views.push_back(corners);
+  }
+  return {{"squareMetres", ResidualMap::width}, {"squares", squares}, {"fieldsOfView", views}};
+}
+
+nlohmann::json cellJson(const ThesisCell& cell, const ThesisOutcome& outcome, const std::vector<std::string>& joints) {
   const ThesisSetting& setting = cell.setting;
+  const ThesisTally& tally = outcome.tally;
   nlohmann::json result = {
       {"table", cell.table},
       {"feature", toString(setting.feature)},
@@ -45,7 +62,8 @@ nlohmann::json cellJson(const ThesisCell& cell, ThesisSolver solver, const Thesi
       {"legs", setting.bothLegs ? "both" : "left"},
       {"places", setting.unknownPlaces ? "unknown" : "known"},
       {"chosenBy", toString(setting.choice)},
-      {"solver", toString(solver)},
+      {"errorSets", toString(setting.errorSets)},
+      {"solver", toString(outcome.solver)},
       {"thesisSolver", toString(cell.solver)},
       {"thesis", cell.published ? nlohmann::json(*cell.published) : nlohmann::json()},
       {"success", byTolerance([&](std::size_t i) { return tally.successAt(i); })},
@@ -56,6 +74,12 @@ nlohmann::json cellJson(const ThesisCell& cell, ThesisSolver solver, const Thesi
   }
   result["counts"] = {
       {"sets", tally.sets}, {"success", tally.success}, {"draws", tally.limitDraws}, {"limit", tally.limit}};
+  if (setting.likeProgram()) {
+    result["residuals"] = residualsJson(outcome);
+  }
+  if (tally.restarts > 0) {
+    result["restartedFailures"] = {{"failures", tally.restarts}, {"reached", tally.reached}, {"ranOut", tally.ranOut}};
+  }
   for (std::size_t joint = 0; joint < tally.errors.size(); ++joint) {
     result["errorCounts"][joints[joint]] = tally.errors[joint];
   }
@@ -76,16 +100,23 @@ template <typename Word> Word wordAt(const JsonCursor& cell, const char* key, co
 ThesisSetting settingAt(const JsonCursor& cell) {
   using enum ThesisNoise;
   ThesisSetting setting;
-  setting.feature = wordAt<ThesisFeature>(cell, "feature", {ThesisFeature::grid, ThesisFeature::boards});
+  setting.feature = wordAt<ThesisFeature>(cell, "feature",
+                                          {ThesisFeature::grid, ThesisFeature::boards, ThesisFeature::programGrid,
+                                           ThesisFeature::fourBoards, ThesisFeature::eightBoards, ThesisFeature::file});
   setting.poses = static_cast<std::size_t>(cell.at("poses").integer(1, maxInteger));
   setting.noise = wordAt<ThesisNoise>(cell, "noise", {none, pixel, joint, both});
   setting.jointNoise = wordAt<AngleNoise>(
-      cell, "jointNoise", {AngleNoise::radians, AngleNoise::degrees, AngleNoise::encoder, AngleNoise::stiction});
+      cell, "jointNoise",
+      {AngleNoise::radians, AngleNoise::degrees, AngleNoise::encoder, AngleNoise::stiction, AngleNoise::unrounded});
   setting.samples = static_cast<std::size_t>(cell.at("samples").integer(1, maxInteger));
   setting.largeErrors = cell.at("errors").wordIndex({usualErrors, largeErrors}) == 1;
   setting.bothLegs = cell.at("legs").wordIndex({"left", "both"}) == 1;
   setting.unknownPlaces = cell.at("places").wordIndex({"known", "unknown"}) == 1;
-  setting.choice = wordAt<PoseChoice>(cell, "chosenBy", {PoseChoice::ours, PoseChoice::chain});
+  setting.choice = wordAt<PoseChoice>(cell, "chosenBy",
+                                      {PoseChoice::ours, PoseChoice::chain, PoseChoice::program, PoseChoice::file});
+  if (cell.find("errorSets")) { // absent in files of earlier versions
+    setting.errorSets = wordAt<ErrorSets>(cell, "errorSets", {ErrorSets::uniform, ErrorSets::program, ErrorSets::file});
+  }
   return setting;
 }
 
@@ -114,8 +145,38 @@ ThesisTally tallyAt(const JsonCursor& cell, const std::vector<std::string>& join
       readCounts(offsets->at(joint), tally.offsets.emplace_back());
     }
   }
+  if (const auto restarted = cell.find("restartedFailures")) {
+    tally.restarts = static_cast<std::size_t>(restarted->at("failures").integer(0, maxInteger));
+    tally.reached = static_cast<std::size_t>(restarted->at("reached").integer(0, maxInteger));
+    tally.ranOut = static_cast<std::size_t>(restarted->at("ranOut").integer(0, maxInteger));
+  }
+  if (const auto residuals = cell.find("residuals")) {
+    for (const JsonCursor& square : residuals->at("squares").elements()) {
+      const std::vector<double> numbers = square.numbers(4, anyNumber, "x, y, count and sum");
+      tally.residuals.add({static_cast<int>(numbers[0]), static_cast<int>(numbers[1]),
+                           static_cast<std::size_t>(std::max(0.0, numbers[2])), numbers[3]});
+    }
+  }
   tally.seconds = cell.at("secondsPerSolve").number({0, 1e6, "s"}) * static_cast<double>(tally.sets);
   return tally;
+}
+
+std::vector<std::array<Eigen::Vector2d, 4>> fieldsOfViewAt(const JsonCursor& cell) {
+  std::vector<std::array<Eigen::Vector2d, 4>> views;
+  if (const auto residuals = cell.find("residuals")) {
+    for (const JsonCursor& view : residuals->at("fieldsOfView").elements()) {
+      const std::vector<JsonCursor> corners = view.elements();
+      if (corners.size() != 4) {
+        view.refuse("four corners", fmt::format("{}", corners.size()));
+      }
+      std::array<Eigen::Vector2d, 4>& last = views.emplace_back();
+      for (std::size_t i = 0; i < corners.size(); ++i) {
+        const std::vector<double> point = corners[i].numbers(2, {-100, 100, "m"}, "x and y");
+        last[i] = {point[0], point[1]};
+      }
+    }
+  }
+  return views;
 }
 
 /// Bin index of an angle [rad]; clamps to the outermost bins.
@@ -145,6 +206,8 @@ std::size_t ThesisEvaluation::setsOf(ThesisSolver solver) const {
   case ThesisSolver::plain:
   case ThesisSolver::randomStarts:
   case ThesisSolver::ours:
+  case ThesisSolver::program:
+  case ThesisSolver::programStarts:
     break;
   }
   return sets;
@@ -160,6 +223,9 @@ const ThesisTally* ThesisEvaluation::tally(const ThesisSetting& setting, ThesisS
 ThesisEvaluation mergeEvaluations(const std::vector<ThesisEvaluation>& parts) {
   ThesisEvaluation result = parts.front();
   for (auto part = parts.begin() + 1; part != parts.end(); ++part) {
+    if (part->inputs != result.inputs) {
+      throw InputError{"expected parts of one evaluation, found parts with different input files"};
+    }
     if (part->seed != result.seed || part->sets != result.sets || part->pixel != result.pixel ||
         part->parts != result.parts) {
       throw InputError{fmt::format("expected parts of one evaluation (seed {}, {} sets, {} px, {} parts), found one of "
@@ -213,12 +279,37 @@ std::optional<NoiseInterpretation> bestInterpretation(const ThesisEvaluation& ev
   return best;
 }
 
+std::vector<ThesisCell> cellsOf(const ThesisEvaluation& evaluation) {
+  std::vector<ThesisCell> cells = thesisCells();
+  const auto has = [&](const ThesisSetting& setting) {
+    return std::any_of(cells.begin(), cells.end(), [&](const ThesisCell& cell) { return cell.setting == setting; });
+  };
+  for (const ThesisOutcome& outcome : evaluation.outcomes) {
+    if (!has(outcome.setting)) {
+      cells.push_back({"files", outcome.setting, ThesisSolver::program, std::nullopt});
+    }
+  }
+  return cells;
+}
+
+RestartedFailures restartedFailures(const ThesisEvaluation& evaluation) {
+  RestartedFailures sum;
+  for (const ThesisOutcome& outcome : evaluation.outcomes) {
+    sum.failures += outcome.tally.restarts;
+    sum.reached += outcome.tally.reached;
+    sum.ranOut += outcome.tally.ranOut;
+  }
+  return sum;
+}
+
 nlohmann::json evaluationJson(const ThesisEvaluation& evaluation) {
   nlohmann::json cells = nlohmann::json::array();
-  for (const ThesisCell& cell : thesisCells()) {
+  for (const ThesisCell& cell : cellsOf(evaluation)) {
     for (const ThesisSolver solver : allSolvers) {
-      if (const ThesisTally* tally = evaluation.tally(cell.setting, solver)) {
-        cells.push_back(cellJson(cell, solver, *tally, evaluation.joints));
+      for (const ThesisOutcome& outcome : evaluation.outcomes) {
+        if (outcome.setting == cell.setting && outcome.solver == solver) {
+          cells.push_back(cellJson(cell, outcome, evaluation.joints));
+        }
       }
     }
   }
@@ -230,9 +321,15 @@ nlohmann::json evaluationJson(const ThesisEvaluation& evaluation) {
                            {"parts", evaluation.parts},
                            {"done", evaluation.done},
                            {"joints", evaluation.joints},
+                           {"inputs", evaluation.inputs},
                            {"errorBins", {{"firstDegrees", firstErrorDegrees}, {"widthDegrees", errorBinDegrees}}},
                            {"offsetBins", {{"firstDegrees", firstOffsetDegrees}, {"widthDegrees", offsetBinDegrees}}},
                            {"cells", cells}};
+  if (const auto [failures, reached, ranOut] = restartedFailures(evaluation); failures > 0) {
+    const Proportion share = proportion(reached, failures);
+    result["restartedFailures"] = {
+        {"failures", failures}, {"reached", reached}, {"ranOut", ranOut}, {"interval", {share.low, share.high}}};
+  }
   if (const auto best = bestInterpretation(evaluation)) {
     result["reproduction"] = {{"jointNoise", toString(best->jointNoise)},
                               {"toleranceDegrees", toleranceDegrees(best->tolerance)},
@@ -262,11 +359,16 @@ ThesisEvaluation readEvaluation(const std::filesystem::path& file) {
   for (const JsonCursor& joint : top.at("joints").elements()) {
     result.joints.push_back(joint.text());
   }
+  if (const auto inputs = top.find("inputs")) { // absent in files of earlier versions
+    for (const auto& [option, hash] : inputs->members()) {
+      result.inputs[option] = hash.text();
+    }
+  }
   for (const JsonCursor& cell : top.at("cells").elements()) {
     const ThesisSetting setting = settingAt(cell);
     const auto solver = wordAt<ThesisSolver>(cell, "solver", {allSolvers.begin(), allSolvers.end()});
     if (!result.tally(setting, solver)) { // a setting may occur in two tables
-      result.outcomes.push_back({setting, solver, tallyAt(cell, result.joints)});
+      result.outcomes.push_back({setting, solver, tallyAt(cell, result.joints), fieldsOfViewAt(cell)});
     }
   }
   return result;
@@ -297,6 +399,10 @@ void ThesisTally::add(const ThesisTally& other) {
   sets += other.sets;
   limitDraws += other.limitDraws;
   seconds += other.seconds;
+  restarts += other.restarts;
+  reached += other.reached;
+  ranOut += other.ranOut;
+  residuals.add(other.residuals);
   addBins(other.errors, errors);
   addBins(other.offsets, offsets);
   for (std::size_t i = 0; i < status.size(); ++i) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json_fwd.hpp>
 
 namespace naocal {
@@ -35,6 +36,11 @@ struct ThesisTally {
   std::vector<std::array<std::size_t, errorBins>> errors;   // per joint: solved sets, by offset error
   std::vector<std::array<std::size_t, offsetBins>> offsets; // per joint: sets, by true offset
   double seconds = 0;                                       // solver time
+  // Of settings like the program's:
+  // Noiseless failures restarted with exact derivatives; of them successful; of them ended by the number of
+  // evaluations.
+  std::size_t restarts = 0, reached = 0, ranOut = 0;
+  ResidualMap residuals;
 
   void add(const Eigen::VectorXd& offsets, const ThesisSolution& answer, const std::vector<double>& limitErrors);
   void add(const ThesisTally& other);
@@ -47,6 +53,7 @@ struct ThesisOutcome {
   ThesisSetting setting;
   ThesisSolver solver = ThesisSolver::plain;
   ThesisTally tally;
+  std::vector<std::array<Eigen::Vector2d, 4>> fieldsOfView = {}; // of the poses, if known [m]
 };
 
 /// The thesis's evaluation, or parts of it: sets part, part + parts, part + 2 parts, ... of every setting.
@@ -58,6 +65,7 @@ struct ThesisEvaluation {
   std::vector<std::size_t> done = {};   // parts included
   std::vector<std::string> joints = {}; // joints of the offsets
   std::vector<ThesisOutcome> outcomes;
+  std::map<std::string, std::string> inputs = {}; // SHA-256 of the files given, by option
   std::size_t others = 0; // sets of table 5.5 for each comparison solver, ten times as many for `numeric`
 
   /// Number of sets for a solver.
@@ -75,6 +83,16 @@ ThesisEvaluation readEvaluation(const std::filesystem::path& file);
 
 /// Merges parts. Throws InputError if they belong to different evaluations or overlap.
 ThesisEvaluation mergeEvaluations(const std::vector<ThesisEvaluation>& parts);
+
+/// The cells of the tables, and those of settings that no table has ("files").
+std::vector<ThesisCell> cellsOf(const ThesisEvaluation& evaluation);
+
+/// Noiseless failures of the thesis's program and how many of them a search with exact derivatives, started from the
+/// wrong answer, leads to the truth, over all cells. `ranOut`: those whose search ended by its number of evaluations.
+struct RestartedFailures {
+  std::size_t failures = 0, reached = 0, ranOut = 0;
+};
+RestartedFailures restartedFailures(const ThesisEvaluation& evaluation);
 
 /// Agreement of the thesis's solvers, run here, with its figures.
 struct NoiseInterpretation {

@@ -197,6 +197,9 @@ ThesisSearchResult ThesisSearch::solve(ThesisSolver solver) {
   case ThesisSolver::dlib:
   case ThesisSolver::swarm:
     return byCostsOnly(solver);
+  case ThesisSolver::program: // ThesisTrial::solveAsProgram
+  case ThesisSolver::programStarts:
+    break;
   }
   return search(pixels_, pixels_.startState(zero()));
 }
@@ -224,8 +227,9 @@ double numbersOf(const Residuals::Linear& linear) {
 } // namespace
 
 ThesisStatus ThesisSolution::status(double tolerance) const {
+  const bool converged = heldOut ? heldOut->isAcceptable() : rms <= rmsTolerance;
   return !solved                                    ? ThesisStatus::solverFailure
-         : rms > rmsTolerance                       ? ThesisStatus::noConvergence
+         : !converged                               ? ThesisStatus::noConvergence
          : errors.cwiseAbs().maxCoeff() > tolerance ? ThesisStatus::localMinimum
                                                     : ThesisStatus::success;
 }
@@ -235,12 +239,28 @@ ThesisTrial::ThesisTrial(const ThesisExperiment& stage, const ThesisSetting& set
       plainModel_{makeExperimentModel(stage, noPrior, noPrior)}, ourModel_{makeExperimentModel(
                                                                      stage, jointOffset().unknowns.front().sigma,
                                                                      cameraRotation().unknowns.front().sigma)},
-      taken_{stage.allObservations()} {}
+      taken_{stage.allObservations()}, pixel_{setting.pixelNoise() ? pixel : 0} {
+  if (setting.likeProgram()) {
+    program_ = std::make_unique<Program>(
+        Program{stage.bottomCamera<float>(), stage.bottomCamera<double>(), stage.jointNames(), {}, {}});
+    if (!stage.inputs().heldOut.empty()) {
+      program_->heldOut.emplace(program_->exactCamera, stage.inputs().heldOut, stage.floorPoints());
+    }
+  }
+}
 
-void ThesisTrial::draw(std::uint64_t seed, std::size_t number) {
-  const std::string set = fmt::format("thesis set {}", number);
-  RandomStream errors{seed, set}, measuring{seed, set + ", measured"};
+/// Draws the values of all unknowns.
+void ThesisTrial::drawTruth(std::uint64_t seed, std::size_t number) {
   truth_ = Eigen::VectorXd::Zero(eigenIndex(stage_.model().unknownCount()));
+  if (setting_.errorSets == ErrorSets::program) {
+    truth_.head(joints()) = drawProgramSet(stage_.jointNames(), seed, number);
+    return;
+  }
+  if (setting_.errorSets == ErrorSets::file) {
+    truth_.head(joints()) = stage_.inputs().offsets.at(number);
+    return;
+  }
+  RandomStream errors{seed, fmt::format("thesis set {}", number)};
   for (double& offset : truth_.head(joints())) {
     do {
       offset = errors.uniformWithin(maxThesisOffset);
@@ -252,6 +272,45 @@ void ThesisTrial::draw(std::uint64_t seed, std::size_t number) {
       truth_[eigenIndex(term.first + i)] = errors.uniformWithin(most);
     }
   }
+}
+
+/// Takes over the measurements in single precision, and takes the pictures of held-out poses.
+void ThesisTrial::readAsProgram(RandomStream& measuring) {
+  const auto copies = copiesOf(setting_.feature);
+  program_->measurements = {{}, static_cast<double>(copies), 0};
+  for (const ImageObservation& picture : taken_.pictures) {
+    ProgramPicture read;
+    read.readings.resize(joints());
+    for (std::size_t i = 0; i < stage_.joints().size(); ++i) {
+      read.readings[eigenIndex(i)] = static_cast<float>(picture.nominal.angle(stage_.joints()[i]));
+    }
+    std::vector<Eigen::Vector2f> points, pixels;
+    for (const BoardObservation& observation : picture.observations) {
+      for (std::size_t i = 0; i < observation.ids.size(); ++i) {
+        const CornerBlock& block = observation.corners[i / 4];
+        points.push_back(stage_.floorPoint(observation, static_cast<std::size_t>(observation.ids[i])).cast<float>());
+        pixels.emplace_back(static_cast<float>(block.u[i % 4]), static_cast<float>(block.v[i % 4]));
+      }
+    }
+    if (points.empty()) {
+      continue;
+    }
+    read.points = Eigen::Map<const Eigen::Matrix2Xf>{points.front().data(), 2, eigenIndex(points.size())};
+    read.pixels = Eigen::Map<const Eigen::Matrix2Xf>{pixels.front().data(), 2, eigenIndex(pixels.size())};
+    for (std::size_t i = 0; i < 2 * points.size() * (copies - 1); ++i) {
+      program_->measurements.scatter += std::pow(measuring.normal(pixel_), 2);
+    }
+    program_->measurements.pictures.push_back(std::move(read));
+  }
+  if (program_->heldOut) {
+    program_->heldOut->draw(truth_.head(joints()), {setting_.angleNoise() ? programAngleNoise : 0, pixel_}, measuring);
+  }
+}
+
+void ThesisTrial::draw(std::uint64_t seed, std::size_t number) {
+  const std::string set = fmt::format("thesis set {}", number);
+  RandomStream measuring{seed, set + ", measured"};
+  drawTruth(seed, number);
   const double pixel = setting_.pixelNoise() ? noise_.pixel : 0;
   stage_.simulate(
       truth_, [&](double angle) { return readAngle(angle, setting_, measuring); }, pixel, measuring, taken_);
@@ -264,19 +323,68 @@ void ThesisTrial::draw(std::uint64_t seed, std::size_t number) {
   const auto atTruth = pixels_->linearize(pixels_->startState(truth_)).value();
   numbers_ = numbersOf(atTruth);
   rmsAtTruth_ = std::sqrt(2 * atTruth.cost / numbers_);
+  if (program_) {
+    readAsProgram(measuring);
+  }
   starts_.emplace(seed, set + ", starts");
   limits_.emplace(seed, set + ", limit");
 }
 
+ProgramEstimate ThesisTrial::solveAsProgram(ThesisSolver solver) {
+  const ProgramSolver program{program_->camera, program_->names, program_->measurements};
+  return solver == ThesisSolver::program ? program.solve(*starts_) : program.solveFromRandomStarts(*starts_);
+}
+
 ThesisSolution ThesisTrial::solve(ThesisSolver solver) {
-  const ThesisSearchResult found =
-      ThesisSearch{*pixels_, *whitened_, flat_ ? &*flat_ : nullptr, stage_.joints().size(), numbers_, *starts_}.solve(
-          solver);
+  ThesisSearchResult found;
+  bool ranOut = false;
+  if (program_ && (solver == ThesisSolver::program || solver == ThesisSolver::programStarts)) {
+    const ProgramEstimate estimate = solveAsProgram(solver);
+    found.unknowns = -estimate.errors; // the program adds them
+    found.ended = found.unknowns.allFinite();
+    ranOut = estimate.ranOut;
+  } else {
+    found =
+        ThesisSearch{*pixels_, *whitened_, flat_ ? &*flat_ : nullptr, stage_.joints().size(), numbers_, *starts_}.solve(
+            solver);
+  }
   const auto there = found.ended ? pixels_->linearize(pixels_->startState(found.unknowns)) : std::nullopt;
-  if (!there) {
+  if (!there || numbers_ == 0) {
     return {};
   }
-  return {true, std::sqrt(2 * there->cost / numbers_), 2 * rmsAtTruth_ + 1, (found.unknowns - truth_).head(joints())};
+  ThesisSolution solution{true,
+                          std::sqrt(2 * there->cost / numbers_),
+                          2 * rmsAtTruth_ + 1,
+                          (found.unknowns - truth_).head(joints()),
+                          std::nullopt,
+                          ranOut};
+  if (program_ && program_->heldOut) {
+    solution.heldOut = program_->heldOut->error(found.unknowns.head(joints()));
+  }
+  return solution;
+}
+
+bool ThesisTrial::reachesTruthFrom(const ThesisSolution& wrong) const {
+  constexpr double smallestFall = 1e-12; // [px^2 / 2]
+  if (!wrong.solved) {
+    return false;
+  }
+  Eigen::VectorXd start = truth_;
+  start.head(joints()) += wrong.errors;
+  const auto minimum = levenbergMarquardt(*pixels_, pixels_->startState(start), {.minCostDecrease = smallestFall});
+  return minimum && (minimum->state.unknowns - truth_).head(joints()).cwiseAbs().maxCoeff() < radians(0.001);
+}
+
+void ThesisTrial::addResiduals(const ThesisSolution& solution, ResidualMap& map) const {
+  Eigen::VectorXd unknowns = truth_;
+  unknowns.head(joints()) += solution.errors;
+  for (const BoardResidual& residual : pixels_->boardResiduals(pixels_->startState(unknowns))) {
+    const BoardObservation& observation = taken_.pictures[residual.picture].observations[residual.observation];
+    for (std::size_t i = 0; i < observation.ids.size(); ++i) {
+      map.add(stage_.floorPoint(observation, static_cast<std::size_t>(observation.ids[i])),
+              residual.residual.col(eigenIndex(i)).norm());
+    }
+  }
 }
 
 std::vector<double> ThesisTrial::drawLimitErrors(std::size_t draws) {

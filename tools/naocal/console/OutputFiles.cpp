@@ -34,6 +34,19 @@ std::string printableJson(const nlohmann::json& json) {
   return result;
 }
 
+/// Throws InputError if a file holds something else than a table whose first line is this mark.
+void requireSameTable(const std::filesystem::path& file, std::string_view mark) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(file, ignored)) {
+    return;
+  }
+  if (const std::string content = readFile(file); !content.empty() && !content.starts_with(std::string{mark} + "\n")) {
+    throw InputError{fmt::format("{}: expected a new file or one that starts with \"{}\" to replace, found something "
+                                 "else; it is left alone, name another file or remove it first",
+                                 file.string(), mark)};
+  }
+}
+
 } // namespace
 
 CLI::Validator replaceableFile(std::string format) {
@@ -56,6 +69,20 @@ void requireReplaceableSet(const std::filesystem::path& folder) {
   }
   removeAbandonedWritesOf(folder / "captures.json");
   removeAbandonedWrites(folder / "images");
+}
+
+CLI::Validator replaceableTable(std::string_view mark) {
+  return CLI::Validator{[mark](const std::string& file) {
+                          requireSameTable(file, mark);
+                          return std::string{};
+                        },
+                        ""};
+}
+
+void writeTable(const std::filesystem::path& file, const std::string& table) {
+  requireSameTable(file, table.substr(0, table.find('\n')));
+  removeAbandonedWritesOf(file);
+  writeAtomically(file, table);
 }
 
 void writeJson(const nlohmann::json& json, const std::string& file) {

@@ -20,6 +20,12 @@ CLI::Validator replaceableFile(std::string format);
 /// Throws InputError if the folder holds a set that was not simulated. Removes what killed writers have left in it.
 void requireReplaceableSet(const std::filesystem::path& folder);
 
+/// The same for a table (CSV) whose first line is this mark.
+CLI::Validator replaceableTable(std::string_view mark);
+
+/// Writes a table that starts with its mark. Throws InputError if the file holds something else than such a table.
+void writeTable(const std::filesystem::path& file, const std::string& table);
+
 /// Writes JSON to a file, or to standard output for "-". Throws InputError if the file holds another format.
 void writeJson(const nlohmann::json& json, const std::string& file);
 

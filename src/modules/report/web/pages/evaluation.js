@@ -4,13 +4,15 @@ import {colours, figure} from "naocal/lib/figure.js";
 import {axes} from "naocal/lib/axes.js";
 import {tenths} from "naocal/lib/format.js";
 import {readData, showContents, showHead} from "naocal/pages/head.js";
+import {residualMap} from "naocal/plots/residual-map.js";
 
 const data = readData();
 
 /** @type {Record<string, string>} */
-const solverColour = {ours: "blue", lm: "orange", "lm-random-starts": "pink"};
+const solverColour = {ours: "blue", lm: "orange", "lm-random-starts": "pink", "lm-program": "good", "lm-program-starts": "good"};
 /** @type {Record<string, string>} */
-const solverWords = {ours: "ours", lm: "plain Levenberg-Marquardt", "lm-random-starts": "from random starts"};
+const solverWords = {ours: "ours", lm: "plain Levenberg-Marquardt", "lm-random-starts": "from random starts",
+  "lm-program": "the thesis's program", "lm-program-starts": "the thesis's program, from random starts"};
 const percent = (/** @type {number} */ share) => (100 * share).toFixed(1) + " %";
 
 /** @import {Target} from "naocal/lib/types.js" */
@@ -19,9 +21,9 @@ const percent = (/** @type {number} */ share) => (100 * share).toFixed(1) + " %"
  * @param {CanvasRenderingContext2D} context
  * @param {number} width
  * @param {number} height
- * @param {{solvers: any[], thesis: number | null}} cell
+ * @param {{solvers: any[], thesis: number | null, thesisTolerance: number}} cell
  */
-function drawSuccess(context, width, height, {solvers, thesis}) {
+function drawSuccess(context, width, height, {solvers, thesis, thesisTolerance}) {
   const box = {left: 40, right: width - 8, top: 26, bottom: height - 42};
   const last = data.tolerances[data.tolerances.length - 1];
   const {x, y} = axes(context, box, [0, last], [0, 100], {title: "success [%]", xLabel: "tolerance of every offset [°]"});
@@ -50,7 +52,7 @@ function drawSuccess(context, width, height, {solvers, thesis}) {
   }
   if (thesis !== null) {
     context.fillStyle = getComputedStyle(document.body).color;
-    const point = {x: x(data.thesisTolerance), y: y(100 * thesis)};
+    const point = {x: x(thesisTolerance), y: y(100 * thesis)};
     context.beginPath();
     context.arc(point.x, point.y, 4, 0, 7);
     context.fill();
@@ -109,7 +111,27 @@ const offer = (id, label, offered, figuresOf, height, draw) => choosing(id, labe
     figure({height, label: each.name, draw: (context, width, tall) => draw(context, width, tall, each)}),
     element("figcaption", {}, bold(each.name))))), String(offered.length - 1));
 
+/** Maps of one setting, with one scale of colours. @param {{solvers: {solver: string, squares: any[]}[], square: number, fieldsOfView: any[]}} setting */
+function mapsOf({solvers, square, fieldsOfView}) {
+  const largest = Math.max(1e-3, ...solvers.flatMap(({squares}) => squares.map(each => each[3])));
+  return element("div", {class: "grid"}, ...solvers.map(({solver, squares}) => element("figure", {},
+    residualMap({squares, square, fieldsOfView, largest}, "residuals on the floor, " + solverWords[solver]),
+    element("figcaption", {}, bold(solverWords[solver])))));
+}
+
 showHead({...data, verdict: "good"});
 at("success").append(offer("table", "Table", data.tables, table => table.cells, 250, drawSuccess));
 at("errors").append(offer("setting", "Setting", data.settings, setting => setting.joints, 230, drawErrors));
+if (data.residualMaps.length) {
+  at("floor").hidden = false;
+  at("residuals").append(choosing("map", "Setting", data.residualMaps.map((/** @type {{name: string}} */ {name}, /** @type {number} */ i) =>
+    ({value: String(i), text: name})), i => mapsOf(data.residualMaps[Number(i)])));
+}
+if (data.restartedFailures) {
+  const {failures, reached, ranOut, interval: [low, high]} = data.restartedFailures;
+  at("minima").hidden = false;
+  at("restarted").append(bold("They are none: "), "of " + failures + " noiseless failures here, " + reached + " reach the true offsets (" +
+    percent(reached / failures) + ", 95 % interval " + percent(low) + " to " + percent(high) +
+    ") when Levenberg-Marquardt with exact derivatives starts from the wrong answer. " + ranOut + " of the failures had run out of evaluations.");
+}
 showContents();
