@@ -1,6 +1,8 @@
 #include "commands/ThesisFileOptions.hpp"
 
 #include "console/OutputFiles.hpp"
+
+#include "command-line/OptionChecks.hpp"
 #include "evaluation/ThesisFiles.hpp"
 #include "io/Files.hpp"
 #include "io/InputError.hpp"
@@ -43,17 +45,17 @@ void writeOutputs(const ThesisFileOptions& files, const ThesisFileRun& run, cons
 void ThesisFileOptions::add(CLI::App& command) {
   const std::string group = "Files (CSV; instead of the tables, one setting per kind of noise)";
   const auto read = [&](const char* option, std::string& file, const char* help) {
-    command.add_option(option, file, help)->group(group);
+    command.add_option(option, file, help)->type_name("FILE")->group(group);
   };
   const auto write = [&](const char* option, std::string& file, const char* help, std::string_view kind) {
-    command.add_option(option, file, help)->check(replaceableTable(kind))->group(group);
+    command.add_option(option, file, help)->type_name("FILE")->check(replaceableTable(kind))->group(group);
   };
   read("--errors", errors, "error sets: joint offsets [rad], a column per joint");
   read("--poses", poses, "poses on the left foot: joint angles [rad], a column per joint");
   read("--features", features, "floor points: columns,rows,spacing,x,y,yaw [m, rad] in the left sole's frame");
   read("--test", test, "held-out poses, like --poses");
   command.add_option("--samples", samples, "pictures per pose, with files")
-      ->check(CLI::Range(1, 100))
+      ->check(wholeNumber(1, 100))
       ->capture_default_str()
       ->group(group);
   write("--write-errors", writeErrors, "the error sets that are used", errorsKind);
