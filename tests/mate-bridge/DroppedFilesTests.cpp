@@ -42,6 +42,17 @@ TEST_CASE("dropped files arrive in parts of any size, and what they hold is open
   }
 }
 
+TEST_CASE("a dropped result is opened alone: it names its captures, which lie beside it") {
+  // Proves it for a result with a capture set; a model is opened together with the set.
+  for (const auto& [format, count] : {std::pair{"naocal-result", 1}, std::pair{"naocal-model", 2}}) {
+    const std::string content = fmt::format(R"({{"format": "{}"}})", format);
+    DroppedFiles dropped{Json::array({announced("set/captures.json", 0), announced("r.json", content.size())})};
+    dropped.append(content);
+    CHECK(dropped.paths().size() == std::size_t(count));
+    CHECK(dropped.paths().back().ends_with("/r.json"));
+  }
+}
+
 TEST_CASE("the folder of dropped files goes with them") {
   // Proves it for a finished and an unfinished upload.
   std::string path;

@@ -118,6 +118,17 @@ await page.screenshot({path: join(pictures, "home-drop.png")});
 await page.dispatchEvent("body", "drop", {dataTransfer: dropped});
 await happens(page.getByRole("heading", {name: "Where the prediction fails"}).waitFor(), "a captures.json that is dropped is opened");
 await tab("Home");
+run(naocal, "solve", join(here, "a set"), "-o", join(here, "result.json"));
+const moved = readFileSync(join(here, "result.json"), "utf8").replaceAll(join(here, "a set"), "/elsewhere/a robot");
+const both = await page.evaluateHandle(([result, captures]) => {
+  const data = new DataTransfer();
+  data.items.add(new File([result], "result.json"));
+  data.items.add(new File([captures], "captures.json"));
+  return data;
+}, [moved, readFileSync(join(here, "a set/captures.json"), "utf8")]);
+await page.dispatchEvent("body", "drop", {dataTransfer: both});
+await happens(page.getByRole("heading", {name: "Where the prediction fails"}).waitFor(), "a result that was made elsewhere is opened with its dropped captures");
+await tab("Home");
 await page.locator("[data-chooses=files]").setInputFiles({name: "notes.json", mimeType: "application/json", buffer: Buffer.from('{"format": "notes"}')});
 await happens(notice.getByText(/notes.json: .*expected "naocal-result"/).waitFor(), "a file that is none of naocal's is refused");
 check(await recent.count() === 1, "uploaded files are not listed");

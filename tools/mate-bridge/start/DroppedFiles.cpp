@@ -1,6 +1,7 @@
 #include "start/DroppedFiles.hpp"
 
 #include "io/InputError.hpp"
+#include "start/RecentFiles.hpp"
 
 #include <algorithm>
 #include <array>
@@ -129,6 +130,11 @@ std::vector<std::string> DroppedFiles::paths() const {
   }
   std::sort(folders.begin(), folders.end());
   std::sort(documents.begin(), documents.end());
+  const auto result = std::find_if(documents.begin(), documents.end(),
+                                   [](const std::string& document) { return kindOfDataset(document) == "result"; });
+  if (result != documents.end()) {
+    return {*result};
+  }
   folders.insert(folders.end(), documents.begin(), documents.end());
   if (folders.empty()) {
     throw InputError{"dropped files: expected a folder with captures.json, a recording or a result, found neither"};

@@ -29,8 +29,8 @@ public:
   std::uintmax_t received() const { return received_; }
   bool isComplete() const { return next_ == files_.size(); }
 
-  /// What to open: the folder itself if it holds a captures.json, otherwise its folders; then its documents. Throws
-  /// InputError if there is nothing.
+  /// What to open: a result alone, which finds the captures beside it; otherwise the folder itself if it holds a
+  /// captures.json, or else its folders, and its documents. Throws InputError if there is nothing.
   std::vector<std::string> paths() const;
 
 private:

@@ -40,17 +40,23 @@ async function answered(sent) {
   return Boolean(upload && !upload.failed);
 }
 
-/** Gives loose files the places that their captures.json names. @param {Dropped[]} files */
+/** The last part of a path. @param {string} path */
+const lastOf = path => path.split("/").filter(Boolean).at(-1) ?? "";
+
+/** What a file holds; null if it is no JSON: the bridge says what is wrong with it. @param {File} file */
+const jsonOf = async file => { try { return JSON.parse(await file.text()); } catch { return null; } };
+
+/** Puts a captures.json and pictures that were dropped without their folder into one: that of the result beside them. @param {Dropped[]} files */
 async function placed(files) {
   const set = files.find(({name}) => name === "captures.json");
   if (!set) return files;
+  const isDocument = name => /^[^/]+\.json$/i.test(name) && name !== "captures.json", document = files.find(({name}) => isDocument(name));
+  const captures = (await jsonOf(set.file))?.captures, sets = document && (await jsonOf(document.file))?.inputs?.sets;
   /** @type {Map<string, string>} */
   const images = new Map();
-  try {
-    const {captures} = JSON.parse(await set.file.text());
-    for (const {image} of captures) if (typeof image === "string") images.set(image.split("/").at(-1) ?? "", image);
-  } catch { /* the bridge says what is wrong with it */ }
-  return files.map(({name, file}) => ({name: "captures/" + (name.includes("/") ? name : images.get(name) ?? name), file}));
+  if (Array.isArray(captures)) for (const one of captures) if (typeof one?.image === "string") images.set(lastOf(one.image), one.image);
+  const folder = Array.isArray(sets) && typeof sets[0] === "string" && lastOf(sets[0]) || "captures";
+  return files.map(({name, file}) => isDocument(name) ? {name, file} : {name: folder + "/" + (name.includes("/") ? name : images.get(name) ?? name), file});
 }
 
 /** Sends files to the bridge. @param {Dropped[]} given */
