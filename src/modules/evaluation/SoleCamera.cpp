@@ -40,7 +40,7 @@ SoleCamera<Scalar>::SoleCamera(const Robot& robot, std::size_t camera, std::size
     : lens_{lens}, toSole_{stepsTo(robot, soleLink, motors)}, toHead_{
                                                                   stepsTo(robot, robot.cameras[camera].link, motors)} {
   const CameraMount& mount = robot.cameras[camera];
-  headFromCamera_ = {mount.rotation.cast<Scalar>(), mount.translation.cast<Scalar>()};
+  headFromCamera_ = {Eigen::AngleAxisd{mount.rotation}.template cast<Scalar>(), mount.translation.cast<Scalar>()};
 }
 
 template <typename Scalar>

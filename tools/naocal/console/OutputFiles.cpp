@@ -79,10 +79,10 @@ CLI::Validator replaceableTable(std::string_view mark) {
                         ""};
 }
 
-void writeTable(const std::filesystem::path& file, const std::string& table) {
-  requireSameTable(file, table.substr(0, table.find('\n')));
+void writeTable(const std::filesystem::path& file, const std::string& text) {
+  requireSameTable(file, text.substr(0, text.find('\n')));
   removeAbandonedWritesOf(file);
-  writeAtomically(file, table);
+  writeAtomically(file, text);
 }
 
 void writeJson(const nlohmann::json& json, const std::string& file) {

@@ -24,7 +24,7 @@ void requireReplaceableSet(const std::filesystem::path& folder);
 CLI::Validator replaceableTable(std::string_view mark);
 
 /// Writes a table that starts with its mark. Throws InputError if the file holds something else than such a table.
-void writeTable(const std::filesystem::path& file, const std::string& table);
+void writeTable(const std::filesystem::path& file, const std::string& text);
 
 /// Writes JSON to a file, or to standard output for "-". Throws InputError if the file holds another format.
 void writeJson(const nlohmann::json& json, const std::string& file);
