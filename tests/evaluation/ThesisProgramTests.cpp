@@ -117,35 +117,43 @@ TEST_CASE("the thesis's program fails without noise where exact derivatives do n
 }
 
 TEST_CASE("points that coincide count as often as they do") {
-  // Proves that a mean measurement with its scatter leads where all measurements of the same points lead (0.05 degrees:
-  // where the stop rules end depends on rounding).
+  // Proves that a mean measurement with its scatter leads as close to the truth as all measurements of the same points.
+  // In single precision rounding alone moves the end of a search by some tenths of a degree, so it is proven for the
+  // mean over 40 error sets, to a factor of 1.5.
   const ThesisSetting setting = programSetting(ThesisFeature::programGrid, 4);
   const ThesisExperiment stage = thesisStageFor(setting);
   const SoleCamera<float> camera = stage.bottomCamera<float>();
+  const SoleCamera<double> exact = stage.bottomCamera<double>();
   const std::vector<std::string> names = stage.jointNames();
   RandomStream chance{5, "coinciding points"}, starts{5, "starts"};
-  const Eigen::VectorXd offsets = 0.2 * drawProgramSet(names, 1, 3);
-  ProgramMeasurements all, means{{}, 3, 0};
-  for (const Eigen::VectorXd& pose : programPoses(names)) {
-    const SoleCamera<double> exact = stage.bottomCamera<double>();
-    const PointsInImage seen = pointsInImage(exact, exact.cameraFromSole(pose - offsets), stage.floorPoints());
-    const Eigen::Index count = seen.points.cols();
-    ProgramPicture mean{pose.cast<float>(), seen.points.cast<float>(), Eigen::Matrix2Xf::Zero(2, count)};
-    ProgramPicture each{mean.readings, mean.points.replicate(1, 3), seen.pixels.cast<float>().replicate(1, 3)};
-    for (float& coordinate : each.pixels.reshaped()) {
-      coordinate += static_cast<float>(chance.normal(0.3));
+  double ofAll = 0, ofMeans = 0; // sums of the largest error of a joint [rad]
+  for (std::size_t set = 0; set < 40; ++set) {
+    const Eigen::VectorXd offsets = 0.2 * drawProgramSet(names, 1, set);
+    ProgramMeasurements all, means{{}, 3, 0};
+    for (const Eigen::VectorXd& pose : programPoses(names)) {
+      const PointsInImage seen = pointsInImage(exact, exact.cameraFromSole(pose - offsets), stage.floorPoints());
+      const Eigen::Index count = seen.points.cols();
+      ProgramPicture mean{pose.cast<float>(), seen.points.cast<float>(), Eigen::Matrix2Xf::Zero(2, count)};
+      ProgramPicture each{mean.readings, mean.points.replicate(1, 3), seen.pixels.cast<float>().replicate(1, 3)};
+      for (float& coordinate : each.pixels.reshaped()) {
+        coordinate += static_cast<float>(chance.normal(0.3));
+      }
+      for (int copy = 0; copy < 3; ++copy) {
+        mean.pixels += each.pixels.middleCols(copy * count, count) / 3;
+      }
+      means.scatter += (each.pixels - mean.pixels.replicate(1, 3)).squaredNorm();
+      all.pictures.push_back(each);
+      means.pictures.push_back(mean);
     }
-    for (int copy = 0; copy < 3; ++copy) {
-      mean.pixels += each.pixels.middleCols(copy * count, count) / 3;
-    }
-    means.scatter += (each.pixels - mean.pixels.replicate(1, 3)).squaredNorm();
-    all.pictures.push_back(each);
-    means.pictures.push_back(mean);
+    const Eigen::VectorXd one = ProgramSolver{camera, names, all}.solve(starts).errors;
+    const Eigen::VectorXd other = ProgramSolver{camera, names, means}.solve(starts).errors;
+    ofAll += (one + offsets).cwiseAbs().maxCoeff();
+    ofMeans += (other + offsets).cwiseAbs().maxCoeff();
   }
-  const Eigen::VectorXd one = ProgramSolver{camera, names, all}.solve(starts).errors;
-  const Eigen::VectorXd other = ProgramSolver{camera, names, means}.solve(starts).errors;
-  CHECK((one - other).cwiseAbs().maxCoeff() < radians(0.05));
-  CHECK((one + offsets).cwiseAbs().maxCoeff() < radians(0.5));
+  CAPTURE(degrees(ofAll / 40), degrees(ofMeans / 40));
+  CHECK(ofAll / 40 < radians(0.8));
+  CHECK(ofMeans / ofAll > 1 / 1.5);
+  CHECK(ofMeans / ofAll < 1.5);
 }
 
 TEST_CASE("held-out poses accept the true offsets and refuse wrong ones") {

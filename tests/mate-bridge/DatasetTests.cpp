@@ -119,7 +119,10 @@ TEST_CASE("a session is kept as it goes, and gone on from", "[slow]") {
     CHECK(told["fit"]["with"] == Json::array({"elasticity@LKneePitch"}));
     CHECK(told["ladder"] == ladder);
     CHECK(ladder["rungs"][1].contains("heldOut"));
-    CHECK(Json::parse(session.generateFile("session.json")) == Json::parse(readFile(file)));
+    Json saved = Json::parse(session.generateFile("session.json")); // may be saved anywhere, so its places are whole
+    CHECK(saved["sets"] == Json::array({std::filesystem::canonical(set).string()}));
+    saved["sets"] = Json::array({"few"});
+    CHECK(saved == Json::parse(readFile(file)));
   }
   writeAtomically(std::filesystem::path{set} / "captures.json",
                   readFile(std::filesystem::path{set} / "captures.json") + "\n");

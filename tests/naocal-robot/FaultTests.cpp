@@ -194,7 +194,7 @@ TEST_CASE("a camera that repeats a picture or is covered is waited for, and says
   Faulty faulty;
   REQUIRE(faulty.untilPose(1)["phase"] == "collecting");
   faulty.cameras.fault = FaultyCameras::Fault::frozen;
-  CHECK_THAT(faulty.untilSaid("waits until the top camera"),
+  CHECK_THAT(faulty.untilSaid("takes new pictures"), // after "gives pictures", if a picture was due
              Catch::EndsWith("waits until the top camera takes new pictures: it repeats one, so restart the robot."));
   faulty.cameras.fault = FaultyCameras::Fault::black;
   CHECK_THAT(faulty.untilSaid("black"), Catch::EndsWith("waits until the top camera sees something: its pictures are "
