@@ -38,6 +38,7 @@ await tab("Calibrate");
 for (const words of [/going to stand on its .* foot/, /lies flat, let go/, /back onto both feet/]) {
   await page.getByText(words).first().waitFor();
   if (words.test("lies flat, let go")) check(await page.getByText("Hold the robot by its trunk").count() === 0, "who is to let go is not told to hold on");
+  await happens(page.waitForFunction(() => document.activeElement?.matches("dialog.asks > p")), "the robot's question has the focus, but not its answer");
   await page.screenshot({path: join(pictures, "calibrate-question.png"), fullPage: true});
   await page.getByRole("button", {name: "Confirm"}).click();
 }

@@ -52,9 +52,9 @@ function choice(kinds, known, connected, changed) {
   }));
 }
 
-// Shows the robot's question with a Confirm button.
+// Shows the robot's question with a Confirm button. The text takes the focus: a key that is just being pressed must not confirm.
 const ask = (robot, {question, questionNumber}) => dialog({class: "confirm asks", role: "alertdialog", "aria-label": "question of the robot"}, null,
-  element("p", {}, element("b", {}, "The robot asks: "), question),
+  element("p", {tabindex: "-1", autofocus: true}, element("b", {}, "The robot asks: "), question),
   element("p", {class: "controls"}, button("Confirm", () => set(robot, runner, "confirmed", questionNumber), {class: "main"}),
     element("span", {class: "soft"}, "or press its chest button")));
 
