@@ -72,7 +72,7 @@ The package has the terminal program naocal, the panel mate-bridge, and
 naocal-robot, which also simulates a robot.")
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME libnaocal-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
-set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "naocal (= ${PROJECT_VERSION}), libboost-dev, libeigen3-dev, libfmt-dev, libmuparser-dev, libpng-dev, libssl-dev, libtbb-dev, libturbojpeg0-dev, nlohmann-json3-dev")
+set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "naocal (= ${PROJECT_VERSION}), libboost-dev, libeigen3-dev, libfmt-dev, libmuparser-dev, libpng-dev, libssl-dev, libtbb-dev, liburdfdom-dev, libturbojpeg0-dev, nlohmann-json3-dev")
 set(CPACK_DEBIAN_DEV_DESCRIPTION "calibration of robots' joints and cameras from pictures (C++ library)
 naocal estimates joint offsets and camera rotations of a NAO robot from
 pictures of printed ChArUco boards, each with its uncertainty.
