@@ -42,8 +42,8 @@ const first = page.locator(".grid.history figcaption b").first();
 check(await first.innerText() === "LKneePitch", "joints that jumped come first: " + await first.innerText());
 await portrait(page, axe, pictures, "history");
 await page.keyboard.press("7");
-await page.keyboard.press("h");
-await happens(page.locator("table.runs").waitFor(), "the key h shows the history");
+await page.keyboard.press("y");
+await happens(page.locator("table.runs").waitFor(), "the key y shows the history");
 await page.getByRole("button", {name: "open the run of " + days[0] + " 10:05 in Compare"}).click();
 await happens(page.getByRole("heading", {name: "Where the prediction fails"}).waitFor(), "a run is opened in Compare");
 

@@ -20,6 +20,7 @@ const tab = name => page.locator("#tabs").getByRole("button", {name, exact: true
 const focused = () => page.evaluate(() => document.activeElement?.textContent);
 
 await page.getByRole("heading", {name: "Calibrate a NAO from pictures"}).waitFor();
+check(await page.locator("#tabs").evaluate(tabs => tabs.scrollWidth <= tabs.clientWidth), "all views' tabs fit into a window of 1366 px");
 await portrait(page, axe, pictures, "home");
 const boards = await page.evaluate(async () => {
   const answer = await fetch(/** @type {any} */ (document.querySelector("a.button")).href);

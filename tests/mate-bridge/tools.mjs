@@ -70,7 +70,7 @@ await page.locator("#toolEnd").waitFor();
 check(await page.locator("#toolRun").isDisabled(), "one command at a time");
 const programOf = pid => { try { return readlinkSync("/proc/" + pid + "/exe"); } catch { return ""; } };
 let child; // after exec of the command
-await until(() => child = readdirSync("/proc").find(pid => /^\d+$/.test(pid) && statOf(pid)?.startsWith(panel.pid + " ") && programOf(pid).endsWith("/naocal")));
+await until(() => child = readdirSync("/proc").find(pid => /^\d+$/.test(pid) && statOf(pid)?.startsWith(panel.pid + " ") && /\/naocal(-evaluate)?$/.test(programOf(pid))));
 const open = readdirSync("/proc/" + child + "/fd").map(one => { try { return readlinkSync("/proc/" + child + "/fd/" + one); } catch { return ""; } });
 check(child && !open.some(one => one.startsWith("socket:")), "a command holds none of the bridge's sockets: " + open.join(" "));
 await click("End it");
