@@ -30,6 +30,7 @@ def read():
     def read(file):
         document = json.loads(file.read_text())
         document.pop("seconds", None)
+        document.pop("inputs", None)  # places relative to the file
         return document
 
     return read
