@@ -25,12 +25,15 @@ def run():
 
 @pytest.fixture(scope="session")
 def read():
-    """Reads a JSON file without the time that its computation took."""
+    """Reads a JSON file without the time that its computation took, with the places of its captures made whole."""
 
     def read(file):
         document = json.loads(file.read_text())
         document.pop("seconds", None)
-        document.pop("inputs", None)  # places relative to the file
+        if "inputs" in document:
+            inputs = document["inputs"]
+            inputs["sets"] = [str((file.parent / place).resolve()) for place in inputs["sets"]]
+            inputs.pop("names", None)  # only beside a file's places
         return document
 
     return read
