@@ -1,5 +1,4 @@
 #include "commands/Commands.hpp"
-#include "console/CommandLine.hpp"
 #include "console/OutputFiles.hpp"
 #include "console/PrintText.hpp"
 #include "console/RecordApplied.hpp"
@@ -223,17 +222,7 @@ void addApply(CLI::App& app) {
       ->required();
   applier->add_flag("--undo", command->undo, "restore both files as they were before the last save");
   applier->add_flag("--dry-run", command->dryRun, "show what would change and write nothing");
-  applier
-      ->add_option("--at", command->posture.pose,
-                   "a .pose file: the posture at which the constants are right; default: standing, knees bent by 50 "
-                   "degrees")
-      ->type_name("FILE");
-  applier
-      ->add_option("--set", command->posture.sets,
-                   "folder of the captures, where it is no longer as the result names it")
-      ->type_name("FOLDER")
-      ->group(expertOptions);
-  addLookIn(*applier, command->posture.lookIn);
+  addPostureOptions(*applier, command->posture);
   applier->add_option("--head", command->names.head, "the head's name; default: by id_map.json from its serial number")
       ->type_name("NAME")
       ->group(expertOptions);

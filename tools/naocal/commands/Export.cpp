@@ -1,5 +1,4 @@
 #include "commands/Commands.hpp"
-#include "console/CommandLine.hpp"
 #include "console/PrintText.hpp"
 #include "console/RobotCalibrationFile.hpp"
 
@@ -112,17 +111,7 @@ void addExport(CLI::App& app) {
                    "folder to write to; joints that are less than 50 % learned keep the values of files there")
       ->type_name("FOLDER")
       ->required();
-  exporter
-      ->add_option("--at", command->posture.pose,
-                   "a .pose file: the posture at which the constants are right; default: standing, knees bent by 50 "
-                   "degrees")
-      ->type_name("FILE");
-  exporter
-      ->add_option("--set", command->posture.sets,
-                   "folder of the captures, where it is no longer as the result names it")
-      ->type_name("FOLDER")
-      ->group(expertOptions);
-  addLookIn(*exporter, command->posture.lookIn);
+  addPostureOptions(*exporter, command->posture);
   exporter->callback([command] { exportCalibration(*command); });
 }
 

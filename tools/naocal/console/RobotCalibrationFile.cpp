@@ -1,8 +1,10 @@
 #include "console/RobotCalibrationFile.hpp"
+
+#include "console/CommandLine.hpp"
 #include "console/PrintText.hpp"
 
 #include "calibration/Prediction.hpp"
-#include "console/PrintText.hpp"
+#include "command-line/OptionChecks.hpp"
 #include "data/CaptureSetFile.hpp"
 #include "data/SetSearch.hpp"
 #include "dialects/ModelCalibration.hpp"
@@ -14,6 +16,7 @@
 #include "poses/PoseFile.hpp"
 #include "poses/candidates/SupportLegs.hpp"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -146,6 +149,18 @@ LoadedCalibration fromResult(const nlohmann::json& document, const std::string& 
 }
 
 } // namespace
+
+void addPostureOptions(CLI::App& command, PostureOptions& options) {
+  command
+      .add_option("--at", options.pose,
+                  "a .pose file: the posture at which the constants are right; default: standing, knees bent by 50 "
+                  "degrees")
+      ->type_name("FILE");
+  command.add_option("--set", options.sets, "folder of the captures, where it is no longer as the result names it")
+      ->type_name("FOLDER")
+      ->group(expertOptions);
+  addLookIn(command, options.lookIn);
+}
 
 LoadedCalibration loadCalibration(const std::string& file, const PostureOptions& options) {
   const nlohmann::json document = parseJson(readFile(file), file);

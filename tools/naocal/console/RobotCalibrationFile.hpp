@@ -8,6 +8,10 @@
 #include <string>
 #include <vector>
 
+namespace CLI {
+class App;
+}
+
 namespace naocal {
 
 /// A calibration on its way to a robot: from a result of `naocal solve`, or from a file of `naocal import`.
@@ -28,6 +32,9 @@ struct PostureOptions {
   std::string pose;                // a .pose file; empty: standing with bent knees
   std::vector<std::string> lookIn; // folders to search for moved captures
 };
+
+/// Adds --at, --set and --look-in to a command.
+void addPostureOptions(CLI::App& command, PostureOptions& options);
 
 /// Reads the file. A result whose model has further effects at joints needs its captures, for o - delta at the posture.
 /// Throws InputError for a result that should not be used, and where captures are missing.
