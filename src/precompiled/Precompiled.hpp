@@ -2,6 +2,8 @@
 
 // Headers of other people that many files include; read once per build instead of once per file. Files still name what
 // they use.
+#include "Instances.hpp"
+
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>

@@ -90,13 +90,6 @@ double lossScale(const std::vector<BoardResidual>& observations, double pixelNoi
   return std::max({1.0, spreadOf(observations, medianCorner) / pixelNoise, harmless / pixelNoise});
 }
 
-/// rms distance of all corners from their prediction at the joint angles as read [px].
-double rmsAsReported(const Measurements& measurements, const Model& model, const Fit& fit) {
-  const Residuals residuals{measurements, model, fit.noise, fit.loss};
-  const auto asRead = residuals.startState(fit.minimum.state.unknowns);
-  return summarizeDistances(collectDistances(residuals.boardResiduals(asRead))).rmsPx;
-}
-
 /// Misfit variance per axis [px^2] beyond the noise floor, joint angles as read, from the 90 % quantile of the
 /// distances. 0 if the distances are below 1.2 times the noise floor. Absent if a corner lies behind its camera.
 std::optional<double> assessMisfit(const Residuals& residuals, const Residuals::State& state) {
@@ -155,9 +148,11 @@ Fit fitInitially(const Measurements& measurements, const Model& model, const Noi
     const Eigen::VectorXd start = attempt > 0     ? randomStart(measurements, model, random)
                                   : options.start ? *options.start
                                                   : alignBoards(measurements, model, zero);
-    auto minimum = options.alternate ? alternate(residuals, residuals.startState(start))
-                                     : levenbergMarquardt(residuals, residuals.startState(start),
-                                                          {.minCostDecrease = coarseTolerance});
+    auto minimum =
+        options.alternate
+            ? alternate(residuals, residuals.startState(start))
+            : levenbergMarquardt(residuals, residuals.startState(start),
+                                 {.maxIterations = options.maxIterations, .minCostDecrease = coarseTolerance});
     if (minimum && (!best || minimum->linear.cost < best->linear.cost - 1e-3)) {
       fit.restartsChanged |= attempt > 0;
       best = std::move(minimum);
@@ -170,6 +165,12 @@ Fit fitInitially(const Measurements& measurements, const Model& model, const Noi
   }
   fit.minimum = *std::move(best);
   return fit;
+}
+
+double rmsAsReported(const Measurements& measurements, const Model& model, const Fit& fit) {
+  const Residuals residuals{measurements, model, fit.noise, fit.loss};
+  const auto asRead = residuals.startState(fit.minimum.state.unknowns);
+  return summarizeDistances(collectDistances(residuals.boardResiduals(asRead))).rmsPx;
 }
 
 Fit refit(const Measurements& measurements, const Model& model, const Noise& noise, const Loss& loss, Fit from,

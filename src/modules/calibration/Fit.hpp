@@ -28,6 +28,9 @@ InputError behindCameraError();
 Fit fitInitially(const Measurements& measurements, const Model& model, const Noise& noise,
                  const CalibrationOptions& options);
 
+/// rms distance of all corners from their prediction at the joint angles as read [px].
+double rmsAsReported(const Measurements& measurements, const Model& model, const Fit& fit);
+
 /// Continues from a fit under other noise levels or another loss, until the cost decreases by less than `smallestFall`.
 Fit refit(const Measurements& measurements, const Model& model, const Noise& noise, const Loss& loss, Fit from,
           double smallestFall = LevenbergMarquardtOptions{}.minCostDecrease);

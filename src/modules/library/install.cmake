@@ -12,7 +12,8 @@ endforeach()
 set_target_properties(naocal_library PROPERTIES EXPORT_NAME naocal)
 set_target_properties(naocal_options PROPERTIES EXPORT_NAME options)
 install(FILES library/naocal.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/naocal COMPONENT library)
-install(TARGETS ${libraries} naocal_options EXPORT naocal COMPONENT library
+set_target_properties(naocal_instances PROPERTIES EXPORT_NAME instances)
+install(TARGETS ${libraries} naocal_instances naocal_options EXPORT naocal COMPONENT library
   ARCHIVE COMPONENT library
   INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} ${CMAKE_INSTALL_INCLUDEDIR}/naocal)
 install(EXPORT naocal NAMESPACE naocal:: FILE naocalTargets.cmake DESTINATION ${package} COMPONENT library)
@@ -29,6 +30,7 @@ foreach(name IN LISTS folders)
     string(PREPEND archives "-lnaocal_${name} ")
   endif()
 endforeach()
+string(APPEND archives "-lnaocal_instances ")
 file(RELATIVE_PATH prefix_from_pkgconfig /prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig /prefix)
 string(REGEX REPLACE "/$" "" prefix_from_pkgconfig "${prefix_from_pkgconfig}")
 configure_file(${CMAKE_SOURCE_DIR}/toolchain/packaging/naocal.pc.in ${CMAKE_CURRENT_BINARY_DIR}/naocal.pc @ONLY)
