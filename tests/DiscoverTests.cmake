@@ -11,13 +11,17 @@ function(add_labelled label specification)
   if(NOT result MATCHES "^[0-9]+$") # the exit code is the number of test cases
     message(FATAL_ERROR "${PROGRAM} cannot list its tests: ${result}\n${errors}")
   endif()
+  set(cost 10) # what takes long starts first
+  if(label STREQUAL fast)
+    set(cost 0)
+  endif()
   string(REGEX REPLACE "\n+$" "" names "${names}")
   string(REPLACE ";" "\\;" names "${names}")
   string(REPLACE "\n" ";" names "${names}")
   foreach(name IN LISTS names)
     string(REGEX REPLACE "([][,])" "\\\\\\1" argument "${name}")
     string(APPEND script "add_test([==[${FOLDER}: ${name}]==] [==[${PROGRAM}]==] [==[${argument}]==])\n"
-      "set_tests_properties([==[${FOLDER}: ${name}]==] PROPERTIES LABELS ${label} SKIP_RETURN_CODE 77)\n")
+      "set_tests_properties([==[${FOLDER}: ${name}]==] PROPERTIES LABELS ${label} COST ${cost} SKIP_RETURN_CODE 77)\n")
     math(EXPR count "${count} + 1")
   endforeach()
   set(script "${script}" PARENT_SCOPE)

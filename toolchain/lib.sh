@@ -53,5 +53,6 @@ build() {
     find "$root/build/$1" -name '*.pch' ! -newer /var/lib/dpkg/status -delete
   fi
   say "Building ${2:-everything} in build/$1"
-  (cd "$root" && cmake --build --preset "$1" ${2:+--target "$2"})
+  # One compiler per processor: ninja's two more cost more in memory and caches than they fill.
+  (cd "$root" && cmake --build --preset "$1" -j"$(nproc)" ${2:+--target "$2"})
 }

@@ -39,6 +39,22 @@ TEST_CASE("each capture keeps the picture of its own moment, whoever asks later"
   CHECK_FALSE(taken.picture(0, 7));
 }
 
+TEST_CASE("where images are rare, a capture has none rather than another's") {
+  // Proves that an image goes to the nearest of several captures, and that one which loses it takes the next nearest.
+  CapturePictures taken;
+  taken.beginWatch();
+  taken.onCaptures(captures(0), 500);
+  taken.onImage("top", 1400, "between");
+  taken.onCaptures(captures(1), 1000);
+  CHECK(taken.picture(0, 0) == "between");
+  CHECK(taken.onCaptures(captures(2), 1500));
+  CHECK_FALSE(taken.picture(0, 0));
+  CHECK(taken.picture(0, 1) == "between");
+  CHECK(taken.onImage("top", 1700, "late"));
+  CHECK(taken.picture(0, 0) == "late");
+  CHECK(taken.picture(0, 1) == "between");
+}
+
 TEST_CASE("captures that nobody watched have no picture, whatever the cameras show now") {
   // Proves that neither captures from before the first watch nor those taken in a gap get the present image.
   CapturePictures taken;
@@ -62,6 +78,7 @@ TEST_CASE("a new calibration begins with no pictures of the old one") {
   taken.beginWatch();
   taken.onCaptures(captures(0), 0);
   taken.onImage("top", 1000, "first");
+  taken.onImage("top", 1300, "second");
   taken.onCaptures(captures(2), 1000);
   CHECK(taken.list()["places"].size() == 2);
   CHECK(taken.onCaptures(captures(0), 2000));

@@ -47,7 +47,7 @@ check(await wills() === "1,0", "a last will is made for the calibration, and end
 await page.getByRole("rowheader", {name: "headPitch"}).waitFor();
 const thumbnails = page.locator(".thumbnails li");
 check(await thumbnails.count() > 20 && /corners on board/.test((await thumbnails.allInnerTexts()).join()), "captures are shown with what they are worth: " + await thumbnails.count());
-check(await page.locator(".thumbnails img").count() > 0.8 * await thumbnails.count(), "with their pictures: " + await page.locator(".thumbnails img").count());
+check(await page.locator(".thumbnails img").count() > 0.2 * await thumbnails.count(), "with their pictures, as far as the camera views brought any: " + await page.locator(".thumbnails img").count());
 check(/±/.test(await page.getByRole("row", {name: /headPitch/}).innerText()), "offsets have their sigmas: " + await page.getByRole("row", {name: /headPitch/}).innerText());
 check(/%.*°C/s.test(await page.locator(".vitals").innerText()), "battery and temperature are shown: " + await page.locator(".vitals").innerText());
 await portrait(page, axe, pictures, "calibrate-finished");
@@ -59,7 +59,7 @@ const bytesOf = one => one.evaluate(async () => {
   return Promise.all(list.map(async ({src}) => Array.from(new Uint8Array(await crypto.subtle.digest("SHA-256", await (await fetch(src)).arrayBuffer()))).join("")));
 });
 const known = await bytesOf(page), wasBefore = await page.getByRole("row", {name: /headPitch/}).innerText();
-check(new Set(known).size > 0.7 * known.length, "captures have pictures of their own: " + new Set(known).size + " of " + known.length);
+check(new Set(known).size === known.length, "captures have pictures of their own: " + new Set(known).size + " of " + known.length);
 await page.reload();
 await page.locator(".thumbnails img").first().waitFor();
 await page.getByRole("rowheader", {name: "headPitch"}).waitFor();

@@ -1,7 +1,10 @@
 #include "robot/CapturePictures.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <utility>
 
 namespace naocal {
 
@@ -24,15 +27,39 @@ void CapturePictures::beginWatch() {
   seen_.clear();
 }
 
-/// Assigns the image if it is nearer in time than the present one.
-bool CapturePictures::offer(Taken& taken, const Seen& seen) const {
-  const std::uint64_t off = taken.time ? distance(*taken.time, seen.time) : nearby + 1;
-  if (off > nearby || (taken.file && taken.off <= off)) {
-    return false;
+/// Assigns a camera's recent images to its captures, the nearest in time first. Captures whose image is no longer among
+/// the recent ones keep it.
+bool CapturePictures::assignImages(const std::string& camera) {
+  struct Pair {
+    std::uint64_t off; // time difference between image and capture [ms]
+    Taken* taken;
+    const Seen* seen;
+  };
+  const std::deque<Seen>& recent = seen_[camera];
+  const auto isRecent = [&](const std::shared_ptr<const std::string>& file) {
+    return std::any_of(recent.begin(), recent.end(), [&](const Seen& seen) { return seen.file == file; });
+  };
+  std::vector<Pair> pairs;
+  std::map<Taken*, std::shared_ptr<const std::string>> before;
+  for (Taken& taken : taken_) {
+    if (taken.camera != camera || !taken.time || (taken.file && !isRecent(taken.file))) {
+      continue;
+    }
+    before[&taken] = std::exchange(taken.file, nullptr);
+    for (const Seen& seen : recent) {
+      if (const std::uint64_t off = distance(*taken.time, seen.time); off <= nearby) {
+        pairs.push_back({off, &taken, &seen});
+      }
+    }
   }
-  taken.file = seen.file;
-  taken.off = off;
-  return true;
+  std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.off < b.off; });
+  std::set<const Seen*> assigned;
+  for (const auto& [off, taken, seen] : pairs) {
+    if (!taken->file && assigned.insert(seen).second) {
+      taken->file = seen->file;
+    }
+  }
+  return std::any_of(before.begin(), before.end(), [](const auto& one) { return one.first->file != one.second; });
 }
 
 bool CapturePictures::onCaptures(const Json& captures, std::uint64_t timestamp) {
@@ -56,10 +83,10 @@ bool CapturePictures::onCaptures(const Json& captures, std::uint64_t timestamp) 
     taken.camera = captures.at(i).at("camera");
     if (!isFirst_) {
       taken.time = timestamp;
-      for (const Seen& seen : seen_[taken.camera]) {
-        changed = offer(taken, seen) || changed;
-      }
     }
+  }
+  for (const auto& [camera, recent] : seen_) {
+    changed = assignImages(camera) || changed;
   }
   isFirst_ = false;
   return changed;
@@ -70,11 +97,8 @@ bool CapturePictures::onImage(const std::string& camera, std::uint64_t timestamp
   if (!pictures.empty() && timestamp < pictures.back().time) {
     pictures.clear(); // the robot was restarted
   }
-  const Seen& seen = pictures.emplace_back(Seen{timestamp, std::make_shared<const std::string>(file)});
-  bool changed = false;
-  for (Taken& taken : taken_) {
-    changed = (taken.camera == camera && offer(taken, seen)) || changed;
-  }
+  pictures.emplace_back(Seen{timestamp, std::make_shared<const std::string>(file)});
+  const bool changed = assignImages(camera);
   while (pictures.front().time + patient < timestamp) {
     pictures.pop_front();
   }

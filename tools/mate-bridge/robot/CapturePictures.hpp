@@ -15,7 +15,8 @@ namespace naocal {
 
 /// Collects the images of a robot's captures for panels that connect later. A robot lists its captures without images
 /// and time stamps; the time of a capture is that of the message in which it first appears, if the robot was watched
-/// without a gap. Captures listed when watching began get no image: the live images then show something else.
+/// without a gap. An image belongs to one capture, the nearest in time: where few images arrive, captures have none
+/// rather than another's. Captures listed when watching began get no image: the live images then show something else.
 class CapturePictures {
 public:
   /// Starts a gapless watch.
@@ -36,13 +37,12 @@ private:
     std::string name, camera;
     std::optional<std::uint64_t> time; // [ms]; absent: not watched
     std::shared_ptr<const std::string> file;
-    std::uint64_t off = 0; // time difference between image and capture [ms]
   };
   struct Seen {
     std::uint64_t time = 0;
     std::shared_ptr<const std::string> file;
   };
-  bool offer(Taken& taken, const Seen& seen) const;
+  bool assignImages(const std::string& camera);
 
   bool isFirst_ = true; // no list since watching began
   std::size_t series_ = 0;
