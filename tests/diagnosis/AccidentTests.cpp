@@ -119,8 +119,8 @@ TEST_CASE("a robot that slipped before its last poses is named, although these b
 
 TEST_CASE("a robot that was put down anew half a metre away is named with the time, not another pattern", "[slow]") {
   // Proves it where the search cannot start, or ends with corners behind the camera: from one capture on, all boards
-  // are elsewhere, which is equivalent to a moved robot. The reported time interval must contain the moment; its width
-  // is not tested.
+  // are elsewhere, which is equivalent to a moved robot. The reported time interval must contain the moment, and no
+  // capture that shows a board.
   const auto [poses, shift, turn, share] =
       GENERATE(std::tuple{std::size_t{16}, 1.0, 0.7, 0.6}, std::tuple{std::size_t{8}, 0.3, 0.7, 0.3});
   const Robot robot = loadRobot(configurationDirectory(), "V6");
@@ -149,6 +149,11 @@ TEST_CASE("a robot that was put down anew half a metre away is named with the ti
   const double begin = set.captures.front().time.count();
   CHECK(told.when->since <= set.captures[first].time.count() - begin);
   CHECK(told.when->until >= set.captures[first - 1].time.count() - begin);
+  const auto isInside = [&](const Capture& capture) { // a capture that could narrow the interval
+    const double time = capture.time.count() - begin;
+    return capture.corners && !capture.corners->empty() && time > told.when->since && time < told.when->until;
+  };
+  CHECK(std::none_of(set.captures.begin(), set.captures.end(), isInside));
 }
 
 TEST_CASE("squares of another size are told with their size, and nothing else", "[slow]") {

@@ -5,12 +5,20 @@
 #include <boost/asio/connect.hpp>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/post.hpp>
 #include <boost/asio/read.hpp>
 #include <boost/asio/write.hpp>
+#include <boost/beast/core/flat_buffer.hpp>
+#include <boost/beast/core/tcp_stream.hpp>
+#include <boost/beast/http/field.hpp>
+#include <boost/beast/websocket/stream.hpp>
 #include <catch2/catch.hpp>
 #include <deque>
 #include <fmt/format.h>
+#include <future>
+#include <semaphore>
 #include <thread>
+#include <vector>
 
 using namespace naocal;
 using Tcp = boost::asio::ip::tcp;
@@ -20,7 +28,8 @@ namespace {
 
 /// A server that serves "the page" at its address.
 struct Serving {
-  Serving() : thread{[this] { context.run(); }} {}
+  explicit Serving(std::chrono::milliseconds requestTime = longestRequest)
+      : server{context, 0, makeToken(), callbacks(requestTime)}, thread{[this] { context.run(); }} {}
   ~Serving() {
     context.stop();
     thread.join();
@@ -50,16 +59,38 @@ struct Serving {
                        path(), host(), origin);
   }
 
+  ServerCallbacks callbacks(std::chrono::milliseconds requestTime) {
+    return {[](std::string_view path) {
+              return path.empty() ? HttpReply{200, "text/html", "the page"} : HttpReply{404, "text/plain", "nothing"};
+            },
+            [this](std::size_t) { opened.release(); }, [this](std::size_t) { closed.release(); },
+            [this](std::size_t, const std::string& text) {
+              received = text.size();
+              told.release();
+            },
+            requestTime};
+  }
+
+  std::counting_semaphore<1000> opened{0}, closed{0}, told{0}; // panels, messages
+  std::atomic<std::size_t> received = 0;                       // [bytes] of the last message
   boost::asio::io_context context;
-  HttpServer server{
-      context,
-      0,
-      makeToken(),
-      {[](std::string_view path) {
-         return path.empty() ? HttpReply{200, "text/html", "the page"} : HttpReply{404, "text/plain", "nothing"};
-       },
-       [](std::size_t) {}, [](std::size_t) {}, [](std::size_t, const std::string&) {}}};
+  HttpServer server;
   std::thread thread;
+};
+
+/// An open panel's live connection.
+struct LivePanel {
+  explicit LivePanel(Serving& serving) : live{own} {
+    const std::string host = serving.host();
+    auto& socket = boost::beast::get_lowest_layer(live).socket();
+    boost::asio::connect(socket, Tcp::resolver{own}.resolve("127.0.0.1", host.substr(host.find(':') + 1)));
+    live.set_option(boost::beast::websocket::stream_base::decorator(
+        [&](auto& request) { request.set(boost::beast::http::field::origin, "http://" + host); }));
+    live.handshake(host, serving.path() + "live");
+    serving.opened.acquire();
+  }
+  boost::asio::io_context own;
+  boost::beast::websocket::stream<boost::beast::tcp_stream> live;
 };
 
 } // namespace
@@ -136,6 +167,65 @@ TEST_CASE("a panel can be open a limited number of times") {
   }
   CHECK_THAT(serving.answer(serving.upgrade("http://" + serving.host())),
              Contains("503") && Contains("open 16 times already"));
+}
+
+TEST_CASE("a request's header has a limited size") {
+  // Proves the boundary: the largest header is answered, one of a byte more is not.
+  const Serving serving;
+  const std::string start = fmt::format("GET {} HTTP/1.1\r\nHost: {}\r\nX: ", serving.path(), serving.host());
+  const auto sized = [&](std::size_t bytes) { return start + std::string(bytes - start.size() - 4, 'x') + "\r\n\r\n"; };
+  CHECK_THAT(serving.answer(sized(mostRequestHeader)), Contains("200 OK"));
+  CHECK_THAT(serving.answer(sized(mostRequestHeader + 1)), !Contains("200 OK"));
+}
+
+TEST_CASE("a request that takes too long is closed") {
+  // Proves with a short limit that an unfinished request is closed after that time and not before.
+  const std::chrono::milliseconds most{200};
+  const Serving serving{most};
+  const auto begin = std::chrono::steady_clock::now();
+  CHECK(serving.answer("GET / HTTP/1.1\r\n").empty());
+  CHECK(std::chrono::steady_clock::now() - begin >= most);
+}
+
+TEST_CASE("a panel's message has a limited size") {
+  // Proves the boundary: the largest message arrives, one of a byte more closes the panel.
+  Serving serving;
+  LivePanel panel{serving};
+  panel.live.write(boost::asio::buffer(std::string(mostPanelMessage, 'x')));
+  serving.told.acquire();
+  CHECK(serving.received == mostPanelMessage);
+  boost::system::error_code error;
+  panel.live.write(boost::asio::buffer(std::string(mostPanelMessage + 1, 'x')), error);
+  boost::beast::flat_buffer answer;
+  panel.live.read(answer, error);
+  CHECK(error.failed());
+  CHECK(panel.live.reason().code == boost::beast::websocket::close_code::too_big);
+  boost::beast::get_lowest_layer(panel.live).close();
+  serving.closed.acquire();
+  CHECK_FALSE(serving.told.try_acquire());
+}
+
+TEST_CASE("what is queued for a panel that does not read is bounded") {
+  // Proves that pictures are left out once more than their limit is queued, that other messages are kept up to theirs,
+  // and that a byte more closes the panel. The messages share their bytes.
+  Serving serving;
+  LivePanel panel{serving};
+  const Message quarter = makeMessage(std::string(mostPanelPending / 4, 'x'), true);
+  const Message picture = makeMessage(std::string(mostPanelPending / 4, 'p'), true, true);
+  const auto send = [&](const std::vector<Message>& messages) {
+    std::promise<void> sent;
+    boost::asio::post(serving.context, [&] {
+      for (const Message& message : messages) {
+        serving.server.sendAll(message);
+      }
+      sent.set_value();
+    });
+    sent.get_future().wait();
+  };
+  send({quarter, picture, quarter, picture, quarter, quarter}); // the system takes no whole one of them
+  CHECK_FALSE(serving.closed.try_acquire());
+  send({makeMessage("x")});
+  CHECK(serving.closed.try_acquire());
 }
 
 TEST_CASE("what is no HTTP is closed without harm") {

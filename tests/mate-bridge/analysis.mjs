@@ -110,9 +110,9 @@ check(rows[0].startsWith("effect,at,unit,value") && rows.some(row => row.startsW
 await tab("Next poses");
 await page.getByLabel("How many").selectOption("2");
 await page.getByRole("button", {name: "Suggest poses"}).click();
-await page.locator(".standing, .empty:has-text('There are none')").first().waitFor();
+await page.locator(".standing").first().waitFor();
 await idle();
-check(await page.locator(".standing").count() === 2 || (await page.locator(".empty").innerText()).includes("none to suggest"), "poses are suggested, or it is said that nothing is open");
+check(await page.locator(".standing").count() === 2, "as many poses are suggested as were asked for: " + await page.locator(".standing").count());
 await page.waitForTimeout(300);
 await portrait(page, axe, pictures, "next");
 run(naocal, "simulate", join(here, "others"), "--hidden-flaw", "--poses", "8", "--samples", "2", "--seed", "2", "--robot-seed", "1");

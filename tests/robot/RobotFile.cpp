@@ -134,7 +134,7 @@ TEST_CASE("every broken drawing is refused with a sentence that names the file, 
   };
   const std::vector<Variant> variants{
       {"/format", "naocal-result", "format: expected one of naocal-drawing, found \"naocal-result\""},
-      {"/version", 2, "version: expected a whole number from 1 to 1, found 2"},
+      {"/version", 2, "version: expected 1, found 2"},
       {"/model", nullptr, "expected the key \"model\", found none"},
       {"/model", "", "model: expected a text that is not empty"},
       {"/mases", json::object(), "expected no keys but format, version"},

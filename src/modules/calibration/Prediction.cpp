@@ -5,6 +5,7 @@
 #include "effects/Catalogue.hpp"
 #include "estimation/ModelBuilder.hpp"
 #include "estimation/ModelFile.hpp"
+#include "io/FileVersion.hpp"
 #include "io/InputError.hpp"
 
 #include <algorithm>
@@ -207,6 +208,7 @@ nlohmann::json comparisonJson(const Comparison& comparison) {
   nlohmann::json result = one(comparison.all);
   result["format"] = "naocal-compare";
   result["version"] = 1;
+  result["writtenBy"] = writtenBy();
   result["nominal"] = one(comparison.nominal);
   result["byBoard"] = many(comparison.byBoard);
   result["byCamera"] = many(comparison.byCamera);

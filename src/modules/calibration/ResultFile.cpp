@@ -5,6 +5,7 @@
 #include "calibration/Verdict.hpp"
 #include "data/SetSearch.hpp"
 #include "estimation/DriverState.hpp"
+#include "io/FileVersion.hpp"
 #include "io/Files.hpp"
 #include "io/InputError.hpp"
 #include "io/JsonReader.hpp"
@@ -244,12 +245,11 @@ json toJson(const ResultSources& sources) {
 
 StoredResult parseResult(const json& all, const std::string& name) {
   try {
-    if (const json version = all.value("version", json()); all.value("format", "") != "naocal-result" || version != 1) {
-      throw InputError{
-          fmt::format("{}: format: expected \"naocal-result\" version 1, as 'naocal solve' writes it, found {} "
-                      "version {}",
-                      name, all.value("format", "none"), version.is_null() ? "0" : version.dump())};
+    if (all.value("format", "") != "naocal-result") {
+      throw InputError{fmt::format("{}: format: expected \"naocal-result\", as 'naocal solve' writes it, found {}",
+                                   name, all.value("format", "none"))};
     }
+    requireVersion(JsonCursor{all, name});
     StoredResult result;
     result.usable = all.at("usable").get<bool>();
     result.robot = all.contains("model") ? all["model"].value("robot", result.robot) : result.robot;
@@ -297,6 +297,7 @@ json resultJson(const FittedModel& fitted, const ResultSources& inputs) {
   }
   return {{"format", "naocal-result"},
           {"version", 1},
+          {"writtenBy", writtenBy()},
           {"converged", fitted.fit.converged},
           {"verdict", toString(fitted.fit.verdict)},
           {"usable", fitted.fit.usable},

@@ -2,6 +2,7 @@
 
 #include "data/BoardFile.hpp"
 #include "data/CaptureSetFile.hpp"
+#include "io/FileVersion.hpp"
 #include "io/Files.hpp"
 #include "io/InputError.hpp"
 #include "io/JsonReader.hpp"
@@ -17,8 +18,7 @@ BoardListFile readBoardList(const std::filesystem::path& file) {
   BoardListFile list;
   list.source = std::make_shared<const nlohmann::json>(parseJson(readFile(file), file.string()));
   const JsonCursor top{*list.source, file.string()};
-  top.at("format").wordIndex({boardListFormat});
-  top.at("version").integer(1, 1);
+  requireFormat(top, boardListFormat);
   const JsonCursor boards = top.at("boards");
   for (const JsonCursor& place : boards.elements()) {
     Board board = readBoard(place);
@@ -58,7 +58,8 @@ nlohmann::ordered_json toJson(const BoardListFile& list) {
   for (const Board& board : list.boards) {
     boards.push_back(toJson(board, entryOrNull("id", board.id, childOrNull(read, "boards"))));
   }
-  return mergeUnknownKeys({{"format", boardListFormat}, {"version", 1}, {"boards", boards}}, read);
+  return mergeUnknownKeys({{"format", boardListFormat}, {"version", 1}, {"writtenBy", writtenBy()}, {"boards", boards}},
+                          read);
 }
 
 } // namespace naocal

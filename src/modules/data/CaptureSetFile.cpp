@@ -2,6 +2,7 @@
 
 #include "data/BoardFile.hpp"
 #include "data/Capture.hpp"
+#include "io/FileVersion.hpp"
 #include "io/Files.hpp"
 #include "io/Folders.hpp"
 #include "io/InputError.hpp"
@@ -239,14 +240,12 @@ constexpr std::array<std::string_view, 26> naoJoints{
     "RHipYawPitch",  "RHipRoll",     "RHipPitch",      "RKneePitch",    "RAnklePitch", "RAnkleRoll",  "RShoulderPitch",
     "RShoulderRoll", "RElbowYaw",    "RElbowRoll",     "RWristYaw",     "RHand"};
 
-void requireFormat(const JsonCursor& top) {
-  const JsonCursor format = top.at("format"), version = top.at("version");
+void requireCaptureSet(const JsonCursor& top) {
+  const JsonCursor format = top.at("format");
   if (format.value() != "naocal-captures") {
     format.refuse("\"naocal-captures\", the format of a capture set");
   }
-  if (version.value() != 1) {
-    version.refuse("1, the only version that this program reads");
-  }
+  requireVersion(top);
 }
 
 void readRobot(const JsonCursor& place, CaptureSet& set) {
@@ -405,7 +404,7 @@ void requireBoundedNumber(const JsonCursor& captures) {
 void readSet(const JsonCursor& top, BadCapturePolicy bad, Reading& reading, std::vector<std::string>& skipped) {
   CaptureSet& set = reading.set;
   Refusals& refusals = reading.refusals;
-  requireFormat(top);
+  requireCaptureSet(top);
   refusals.attempt([&] { readRobot(top.at("robot"), set); });
   reading.knowsJoints = refusals.attempt([&] { set.jointNames = readJointNames(top.at("jointNames"), refusals); });
   reading.knowsCameras = refusals.attempt([&] { readCameras(top.at("cameras"), reading); });
@@ -460,6 +459,7 @@ Written setJson(const CaptureSet& set, const json& read) {
   const Written robot{{"model", set.model}, {"bodyId", unlessEmpty(set.bodyId)}, {"headId", unlessEmpty(set.headId)}};
   return mergeUnknownKeys({{"format", "naocal-captures"},
                            {"version", 1},
+                           {"writtenBy", writtenBy()},
                            {"robot", mergeUnknownKeys(robot, childOrNull(read, "robot"))},
                            {"jointNames", set.jointNames},
                            {"cameras", cameras},

@@ -4,6 +4,7 @@
 #include "diagnosis/DiagnosisWording.hpp"
 #include "diagnosis/FiguresFile.hpp"
 #include "diagnosis/OwnEffect.hpp"
+#include "io/FileVersion.hpp"
 
 #include <cmath>
 #include <cstddef>
@@ -130,6 +131,7 @@ template <typename T> Json listJson(const std::vector<T>& all, const std::functi
 Json diagnosisJson(const Diagnosis& diagnosis, std::size_t mostPoints) {
   Json result{{"format", "naocal-diagnosis"},
               {"version", 1},
+              {"writtenBy", writtenBy()},
               {"verdict", toString(diagnosis.verdict)},
               {"sentence", diagnosis.sentence},
               {"lackOfFit",

@@ -1,5 +1,6 @@
 #include "diagnosis/Session.hpp"
 
+#include "io/FileVersion.hpp"
 #include "io/Files.hpp"
 #include "io/InputError.hpp"
 #include "io/JsonReader.hpp"
@@ -128,16 +129,19 @@ nlohmann::json sessionJson(const Session& session) {
   for (const ModelRevision& rung : session.ladder) {
     ladder.push_back(revisionJson(rung));
   }
-  return {{"format", "naocal-session"},  {"version", 1},
-          {"sets", session.inputs.sets}, {"sha256", session.inputs.sha256},
-          {"ladder", std::move(ladder)}, {"at", session.at}};
+  return {{"format", "naocal-session"},
+          {"version", 1},
+          {"writtenBy", writtenBy()},
+          {"sets", session.inputs.sets},
+          {"sha256", session.inputs.sha256},
+          {"ladder", std::move(ladder)},
+          {"at", session.at}};
 }
 
 Session readSession(const std::filesystem::path& file) {
   const Json document = parseJson(readFile(file), file.string());
   const JsonCursor all{document, file.string()};
-  all.at("format").wordIndex({"naocal-session"});
-  all.at("version").integer(1, 1);
+  requireFormat(all, "naocal-session");
   Session session{.inputs = {all.at("sets").texts(), all.at("sha256").texts()}};
   for (const JsonCursor& rung : all.at("ladder").elements()) {
     session.ladder.push_back(readRevision(rung, static_cast<int>(session.ladder.size())));

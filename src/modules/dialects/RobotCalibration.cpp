@@ -1,5 +1,6 @@
 #include "dialects/RobotCalibration.hpp"
 
+#include "io/FileVersion.hpp"
 #include "io/InputError.hpp"
 #include "io/JsonReader.hpp"
 #include "math/Angles.hpp"
@@ -139,8 +140,11 @@ json calibrationJson(const RobotCalibration& calibration) {
       one["lens"] = lensJson(*camera.lens);
     }
   }
-  json all = {
-      {"format", calibrationFormat}, {"version", 1}, {"offsets", calibration.offsets}, {"cameras", std::move(cameras)}};
+  json all = {{"format", calibrationFormat},
+              {"version", 1},
+              {"writtenBy", writtenBy()},
+              {"offsets", calibration.offsets},
+              {"cameras", std::move(cameras)}};
   if (!calibration.headId.empty()) {
     all["headId"] = calibration.headId;
   }
@@ -155,7 +159,7 @@ RobotCalibration parseCalibration(const json& document, const std::string& name)
   if (all.at("format").text() != calibrationFormat) {
     all.at("format").refuse("\"naocal-calibration\" as 'naocal import' writes it");
   }
-  all.at("version").integer(1, 1);
+  requireVersion(all);
   constexpr Range angle{-3.2, 3.2, "rad"};
   RobotCalibration calibration;
   const auto known = offsetJoints();

@@ -2,6 +2,7 @@
 
 #include "effects/Catalogue.hpp"
 #include "effects/UserEffect.hpp"
+#include "io/FileVersion.hpp"
 #include "io/Files.hpp"
 #include "io/JsonReader.hpp"
 
@@ -25,15 +26,15 @@ std::vector<Effect> parseEffects(const nlohmann::json& definitions, const std::s
 
 nlohmann::json modelFileJson(const std::vector<std::string>& with, const std::vector<std::string>& without,
                              nlohmann::json define) {
-  return {
-      {"format", "naocal-model"}, {"version", 1}, {"with", with}, {"without", without}, {"define", std::move(define)}};
+  return {{"format", "naocal-model"}, {"version", 1},
+          {"writtenBy", writtenBy()}, {"with", with},
+          {"without", without},       {"define", std::move(define)}};
 }
 
 ModelFile readModelFile(const std::filesystem::path& file, const Robot& robot) {
   const nlohmann::json document = parseJson(readFile(file), file.string());
   const JsonCursor all{document, file.string()};
-  all.at("format").wordIndex({"naocal-model"});
-  all.at("version").integer(1, 1);
+  requireFormat(all, "naocal-model");
   ModelFile result;
   for (const auto& [key, list] : {std::pair{"with", &result.with}, std::pair{"without", &result.without}}) {
     if (const auto terms = all.find(key)) {

@@ -1,6 +1,7 @@
 #include "evaluation/ThesisTables.hpp"
 
 #include "evaluation/Proportion.hpp"
+#include "io/FileVersion.hpp"
 #include "io/Files.hpp"
 #include "io/InputError.hpp"
 #include "io/JsonReader.hpp"
@@ -315,6 +316,7 @@ nlohmann::json evaluationJson(const ThesisEvaluation& evaluation) {
   }
   nlohmann::json result = {{"format", "naocal-evaluation"},
                            {"version", 1},
+                           {"writtenBy", writtenBy()},
                            {"sets", evaluation.sets},
                            {"seed", evaluation.seed},
                            {"pixelNoise", evaluation.pixel},
@@ -342,8 +344,7 @@ nlohmann::json evaluationJson(const ThesisEvaluation& evaluation) {
 ThesisEvaluation readEvaluation(const std::filesystem::path& file) {
   const nlohmann::json json = parseJson(readFile(file), file.string());
   const JsonCursor top{json, file.string()};
-  top.at("format").wordIndex({"naocal-evaluation"});
-  top.at("version").integer(1, 1);
+  requireFormat(top, "naocal-evaluation");
   ThesisEvaluation result;
   const JsonCursor seed = top.at("seed");
   if (!seed.value().is_number_unsigned()) {

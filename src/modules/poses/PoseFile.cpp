@@ -2,6 +2,7 @@
 
 #include "data/BoardFile.hpp"
 #include "data/CaptureSetFile.hpp"
+#include "io/FileVersion.hpp"
 #include "io/Files.hpp"
 #include "io/Folders.hpp"
 #include "io/InputError.hpp"
@@ -248,6 +249,7 @@ Json planJson(const PosePlan& plan, const Robot& robot) {
   }
   Json result = {{"format", "naocal-poses"},
                  {"version", 1},
+                 {"writtenBy", writtenBy()},
                  {"robot", robot.model},
                  {"support", supportOf(plan)},
                  {"candidates",
@@ -322,6 +324,7 @@ Json posesJson(const NextPoses& next, const Robot& robot) {
   Json result = nextPosesJson(next, robot);
   result["format"] = "naocal-poses";
   result["version"] = 1;
+  result["writtenBy"] = writtenBy();
   result["robot"] = robot.model;
   result["support"] = oneFoot ? foot(next.around.front().supportFoot) : "both";
   result["candidates"] = {{"stable", next.stable}, {"seeing", next.seeing}};
@@ -336,8 +339,7 @@ Json posesJson(const NextPoses& next, const Robot& robot) {
 PoseFile readPoseFile(const std::filesystem::path& file, const Robot& robot) {
   const nlohmann::json document = parseJson(readFile(file), file.string());
   const JsonCursor all{document, file.string()};
-  all.at("format").wordIndex({"naocal-poses"});
-  all.at("version").integer(1, 1);
+  requireFormat(all, "naocal-poses");
   if (all.at("robot").text() != robot.model) {
     all.at("robot").refuse(fmt::format("poses for the {}", robot.model));
   }

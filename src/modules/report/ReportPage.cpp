@@ -1,6 +1,7 @@
 #include "report/ReportPage.hpp"
 
 #include "calibration/KnownEffects.hpp"
+#include "io/FileVersion.hpp"
 #include "io/Files.hpp"
 #include "io/JsonReader.hpp"
 #include "report/DiagnosisData.hpp"
@@ -72,7 +73,7 @@ std::string renderReport(const json& document, const std::filesystem::path& file
         "\"naocal-result\", \"naocal-diagnosis\" or \"naocal-evaluation\", as 'naocal solve', 'naocal diagnose' "
         "and 'naocal evaluate thesis' write them");
   }
-  top.at("version").integer(1, 1);
+  requireVersion(top);
   const std::string data = harmless(isDiagnosis    ? diagnosisData(top)
                                     : isEvaluation ? evaluationData(top)
                                                    : resultPage(top, file, sources));

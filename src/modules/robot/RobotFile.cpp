@@ -1,5 +1,6 @@
 #include "robot/Robot.hpp"
 
+#include "io/FileVersion.hpp"
 #include "io/Files.hpp"
 #include "io/InputError.hpp"
 #include "io/JsonReader.hpp"
@@ -363,8 +364,7 @@ namespace {
 nlohmann::json document(const std::filesystem::path& file) {
   nlohmann::json document = parseJson(readFile(file), file.string());
   const JsonCursor top{document, file.string()};
-  top.at("format").wordIndex({"naocal-drawing"});
-  top.at("version").integer(1, 1);
+  requireFormat(top, "naocal-drawing");
   return document;
 }
 

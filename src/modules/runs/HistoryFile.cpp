@@ -1,5 +1,6 @@
 #include "runs/HistoryFile.hpp"
 
+#include "io/FileVersion.hpp"
 #include "runs/RunFile.hpp"
 #include "runs/RunWording.hpp"
 
@@ -78,7 +79,7 @@ json historyJson(const std::vector<RobotHistory>& histories, const std::string& 
                       {"falls", std::move(falls)},
                       {"joints", jointsJson(history)}});
   }
-  return {{"format", "naocal-history"}, {"version", 1},     {"rule", describeRule()},
+  return {{"format", "naocal-history"}, {"version", 1},     {"writtenBy", writtenBy()},   {"rule", describeRule()},
           {"folder", folder},           {"broken", broken}, {"robots", std::move(robots)}};
 }
 

@@ -1,5 +1,6 @@
 #include "runs/RunFile.hpp"
 
+#include "io/FileVersion.hpp"
 #include "io/JsonReader.hpp"
 
 #include <algorithm>
@@ -56,6 +57,7 @@ RunRobot readRobot(const JsonCursor& place) {
 json runJson(const Run& run) {
   json document{{"format", "naocal-run"},
                 {"version", 1},
+                {"writtenBy", writtenBy()},
                 {"time", formatTime(run.time)},
                 {"robot",
                  {{"body", run.robot.body},
@@ -92,8 +94,7 @@ json runJson(const Run& run) {
 
 Run parseRun(const json& document, const std::string& id, const std::string& name) {
   const JsonCursor all{document, name};
-  all.at("format").wordIndex({"naocal-run"});
-  all.at("version").integer(1, 1);
+  requireFormat(all, "naocal-run");
   Run run{.id = id};
   const auto time = parseTime(all.at("time").text());
   if (!time) {

@@ -1,4 +1,5 @@
 #include "simulation/Truth.hpp"
+#include "io/FileVersion.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -64,6 +65,7 @@ std::string formatTruth(const Truth& truth) {
   }
   const Json json = {{"format", "naocal-truth"},
                      {"version", 1},
+                     {"writtenBy", writtenBy()},
                      {"seed", truth.seed},
                      {"effects", effects},
                      {"placements", placementsJson(truth.placements)},

@@ -29,7 +29,7 @@ namespace {
 /// One HTTP request: read, then answered, refused or upgraded to a WebSocket; not kept alive.
 struct HttpExchange {
   explicit HttpExchange(boost::asio::ip::tcp::socket socket) : stream{std::move(socket)} {
-    parser.header_limit(16 << 10);
+    parser.header_limit(mostRequestHeader);
     parser.body_limit(0);
   }
   boost::beast::tcp_stream stream;
@@ -227,11 +227,11 @@ struct HttpServer::Implementation : std::enable_shared_from_this<Implementation>
       reading.pop_front();
     }
     reading.push_back(exchange);
-    exchange->stream.expires_after(longestRequest);
+    exchange->stream.expires_after(calls.requestTime);
     http::async_read(exchange->stream, exchange->buffer, exchange->parser,
-                     [self = shared_from_this(), exchange](beast::error_code error, std::size_t) {
+                     [self = shared_from_this(), exchange](beast::error_code error, std::size_t bytes) {
                        std::erase(self->reading, exchange);
-                       if (!error) {
+                       if (!error && bytes <= mostRequestHeader) { // the parser counts from each part that arrives
                          self->answer(exchange);
                        }
                      });

@@ -30,15 +30,18 @@ inline Message makeMessage(std::string bytes, bool binary = false, bool skippabl
   return {std::make_shared<const std::string>(std::move(bytes)), binary, skippable};
 }
 
-/// Callbacks of the server, on the context's thread. Panels are numbered in order of connection.
+inline constexpr std::chrono::seconds longestRequest{10}; // from the connection to the end of the response
+
+/// Callbacks of the server, on the context's thread, and its limit in time. Panels are numbered in order of connection.
 struct ServerCallbacks {
   std::function<HttpReply(std::string_view path)> file; // path: the part after the token
   std::function<void(std::size_t panel)> opened, closed;
   std::function<void(std::size_t panel, std::string text)> received;
+  std::chrono::milliseconds requestTime = longestRequest; // a slower request is closed
 };
 
 inline constexpr std::size_t mostRequests = 128;           // read at once; beyond, the oldest one is closed
-inline constexpr std::chrono::seconds longestRequest{10};  // from the connection to the end of the response
+inline constexpr std::size_t mostRequestHeader = 16 << 10; // [bytes] of a request, which has no body
 inline constexpr std::size_t mostPanels = 16;              // live connections; beyond, status 503
 inline constexpr std::size_t mostPanelMessage = 1 << 20;   // [bytes] of a message from a panel
 inline constexpr std::size_t mostPanelSkippable = 2 << 20; // [bytes] queued for a panel; beyond, images are left out

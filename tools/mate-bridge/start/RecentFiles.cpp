@@ -1,5 +1,6 @@
 #include "start/RecentFiles.hpp"
 
+#include "io/FileVersion.hpp"
 #include "io/Files.hpp"
 #include "protocol/BoundedJson.hpp"
 
@@ -103,7 +104,8 @@ void RecentFiles::write() {
   for (const RecentFile& entry : files_) {
     recent.push_back({{"paths", entry.paths}, {"opened", entry.opened}});
   }
-  const Json document{{"format", format}, {"version", 1}, {"recent", recent}, {"robots", robots_}};
+  const Json document{
+      {"format", format}, {"version", 1}, {"writtenBy", writtenBy()}, {"recent", recent}, {"robots", robots_}};
   try {
     std::filesystem::create_directories(file_.parent_path());
     writeAtomically(file_, jsonLine(document));

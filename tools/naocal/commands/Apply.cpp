@@ -8,6 +8,7 @@
 #include "dialects/ModelCalibration.hpp"
 #include "dialects/SavedCalibration.hpp"
 #include "framework/configuration/Configuration.hpp"
+#include "io/FileVersion.hpp"
 #include "io/Files.hpp"
 #include "io/InputError.hpp"
 
@@ -182,6 +183,7 @@ void apply(const ApplyCommand& command) {
     if (!command.json.empty()) {
       writeJson({{"format", "naocal-apply"},
                  {"version", 1},
+                 {"writtenBy", writtenBy()},
                  {"body", names.body},
                  {"head", names.head},
                  {"changes", changes},

@@ -5,6 +5,7 @@
 
 #include "command-line/OptionChecks.hpp"
 #include "estimation/ModelFile.hpp"
+#include "io/FileVersion.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -147,7 +148,7 @@ nlohmann::json effectsJson(const std::vector<Effect>& effects, const Robot& robo
       list.back()["alias"] = effect.alias;
     }
   }
-  return {{"format", "naocal-effects"}, {"version", 1}, {"effects", std::move(list)}};
+  return {{"format", "naocal-effects"}, {"version", 1}, {"writtenBy", writtenBy()}, {"effects", std::move(list)}};
 }
 
 void print(const Effect& effect, const Robot& robot) {

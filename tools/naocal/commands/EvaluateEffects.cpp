@@ -7,6 +7,7 @@
 
 #include "command-line/OptionChecks.hpp"
 #include "estimation/ModelFile.hpp"
+#include "io/FileVersion.hpp"
 #include "io/Files.hpp"
 #include "io/InputError.hpp"
 #include "robot/Robot.hpp"
@@ -222,8 +223,11 @@ bool BlindRun::runSet(std::size_t number) const {
   if (!answer) {
     return false;
   }
-  answer->update(
-      {{"format", "naocal-blind-answer"}, {"version", 1}, {"set", name}, {"truthSha256", manifest.at("truthSha256")}});
+  answer->update({{"format", "naocal-blind-answer"},
+                  {"version", 1},
+                  {"writtenBy", writtenBy()},
+                  {"set", name},
+                  {"truthSha256", manifest.at("truthSha256")}});
   files::create_directories(plan_.out / "answers");
   writeAtomically(answerFile(number), answer->dump(1) + "\n");
   if (!plan_.keep) {

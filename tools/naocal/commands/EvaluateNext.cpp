@@ -6,6 +6,7 @@
 
 #include "command-line/OptionChecks.hpp"
 #include "evaluation/NextPosesTrial.hpp"
+#include "io/FileVersion.hpp"
 #include "io/InputError.hpp"
 
 #include <CLI/CLI.hpp>
@@ -116,6 +117,7 @@ void evaluateNext(const NextCommand& command) {
     }
     writeJson({{"format", "naocal-next-evaluation"},
                {"version", 1},
+               {"writtenBy", writtenBy()},
                {"robots", all.size()},
                {"open", open.size()},
                {"start", command.options.start},

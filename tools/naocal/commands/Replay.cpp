@@ -7,6 +7,7 @@
 #include "calibration/ResultFile.hpp"
 #include "command-line/OptionChecks.hpp"
 #include "data/CaptureSetFile.hpp"
+#include "io/FileVersion.hpp"
 #include "io/Files.hpp"
 #include "io/InputError.hpp"
 #include "io/JsonReader.hpp"
@@ -158,8 +159,13 @@ void printEstimates(const std::vector<ReplayedEstimate>& estimates, bool isCompa
 
 nlohmann::json replayJson(const ReplayCommand& command, const std::vector<std::string>& said, bool usable,
                           const std::vector<ReplayedEstimate>& estimates) {
-  nlohmann::json document{{"format", "naocal-replay"}, {"version", 1}, {"set", command.recording},
-                          {"usable", usable},          {"said", said}, {"estimates", nlohmann::json::array()}};
+  nlohmann::json document{{"format", "naocal-replay"},
+                          {"version", 1},
+                          {"writtenBy", writtenBy()},
+                          {"set", command.recording},
+                          {"usable", usable},
+                          {"said", said},
+                          {"estimates", nlohmann::json::array()}};
   for (const ReplayedEstimate& each : estimates) {
     nlohmann::json entry{{"unknown", each.name}, {"unit", each.unit}, {"value", each.value}, {"sigma", each.sigma}};
     if (each.recorded) {

@@ -6,6 +6,7 @@
 #include "console/Progress.hpp"
 #include "data/BoardListFile.hpp"
 #include "data/CaptureSetFile.hpp"
+#include "io/FileVersion.hpp"
 #include "io/Files.hpp"
 #include "io/InputError.hpp"
 #include "math/Angles.hpp"
@@ -316,6 +317,7 @@ void simulateSet(const SimulateOptions& options) {
   if (!options.json.empty()) {
     writeJson({{"format", "naocal-simulation"},
                {"version", 1},
+               {"writtenBy", writtenBy()},
                {"set", options.output},
                {"truth", truth.string()},
                {"captures", simulation.set.captures.size()},

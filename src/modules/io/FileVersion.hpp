@@ -1,0 +1,21 @@
+#pragma once
+
+#include "io/JsonReader.hpp"
+
+#include <string>
+#include <string_view>
+
+namespace naocal {
+
+/// The program that writes a file, the value of its key `writtenBy`: "naocal 0.1.0". For people: readers ignore it,
+/// except to name it where they refuse a newer file.
+std::string writtenBy();
+
+/// Throws InputError unless the document's `version` is 1 to `newest`, the versions that its reader knows. A newer one
+/// is refused with the program that wrote it and the advice to update this one.
+void requireVersion(const JsonCursor& document, int newest = 1);
+
+/// The same, and throws InputError unless its `format` is the given one.
+void requireFormat(const JsonCursor& document, std::string_view format, int newest = 1);
+
+} // namespace naocal
