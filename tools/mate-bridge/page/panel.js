@@ -183,8 +183,9 @@ on("opened", () => { // other captures were opened
 on("refused", ({sentence}) => { if (sentence !== state.missing?.sentence) notice(sentence); });
 on("moved", ({sentence}) => say(sentence.charAt(0).toUpperCase() + sentence.slice(1) + "."));
 on("history", message => {
+  const isKnown = JSON.stringify(message) === JSON.stringify(state.history);
   state.history = message;
-  redraw("history");
+  if (!isKnown) redraw("history"); // a click would miss a button that is replaced under it
 });
 on("missing", message => {
   state.missing = message;
