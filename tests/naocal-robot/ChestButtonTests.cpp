@@ -138,8 +138,8 @@ TEST_CASE("a robot that is ended on one foot is held on its way back", "[robot]"
   CHECK(person.simulated.world.truth().supportFoot == SupportFoot::left);
   person.simulated.process->configuration().set("Brain.BehaviorModule", "isCameraCalibration", true); // must have no
                                                                                                       // effect now
+  player.send(0, "Motion.player"); // before the end, so that nothing of the way back is missed
   person.set("run", "");
-  player.send(0, "Motion.player");
   const auto next = [&] { return json::parse(player.receive(2).value().body).at(0)["value"]; };
   bool asked = false;
   for (json now = next(); now["atHome"] != true && now["phase"] != "fallen"; now = next()) {
