@@ -125,7 +125,6 @@ TEST_CASE("a robot that is ended on one foot is held on its way back", "[robot]"
   // Proves for a robot with offsets up to 5 degrees, which falls between one foot and both unless held, that it asks to
   // be held first and reaches its stand, even with a request for camera motion meanwhile.
   Person person{SimulatedProcess::plan(1, radians(5))};
-  auto player = MateClient::debug(person.simulated.process->sockets().debugPort());
   person.set("run", "left leg");
   int answered = 0;
   person.until([&](const json& state) {
@@ -138,6 +137,7 @@ TEST_CASE("a robot that is ended on one foot is held on its way back", "[robot]"
   CHECK(person.simulated.world.truth().supportFoot == SupportFoot::left);
   person.simulated.process->configuration().set("Brain.BehaviorModule", "isCameraCalibration", true); // must have no
                                                                                                       // effect now
+  auto player = MateClient::debug(person.simulated.process->sockets().debugPort()); // a silent client is sent away
   player.send(0, "Motion.player"); // before the end, so that nothing of the way back is missed
   person.set("run", "");
   const auto next = [&] { return json::parse(player.receive(2).value().body).at(0)["value"]; };
