@@ -56,17 +56,22 @@ public:
   std::optional<RobotState> waitForState(std::chrono::milliseconds timeout) override {
     auto state = robot_->waitForState(timeout);
     periods.note();
+    stateAt_ = Clock::now();
     return state;
   }
-  void send(const RobotCommand& command) override { robot_->send(command); }
+  void send(const RobotCommand& command) override {
+    robot_->send(command);
+    longestWork = std::max(longestWork.load(), toSeconds(Clock::now() - stateAt_));
+  }
   std::chrono::nanoseconds period() const override { return robot_->period(); }
   RobotStatus status() const override { return robot_->status(); }
 
   Periods periods;
-  std::atomic<double> longestWork = 0;
+  std::atomic<double> longestWork = 0; // from a state to its answer [s]
 
 private:
   std::unique_ptr<RobotInterface> robot_;
+  TimePoint stateAt_; // of the motion thread
 };
 
 /// The process on that robot, an idle thread of motion's period and priority, and an operator.

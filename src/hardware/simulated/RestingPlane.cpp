@@ -34,7 +34,7 @@ Eigen::Vector3d plane(const std::vector<Eigen::Vector3d>& points, const Triangle
 /// The lower face below `centre`, z up. The last three points are far-away sentinels: a solution that uses one of them
 /// is no support.
 std::optional<Triangle> lowerFace(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& centre) {
-  constexpr double below = 1e-9; // [m]; smaller penetrations are ignored
+  constexpr double below = 1e-12; // [m]; smaller penetrations are rounding errors
   Triangle triangle{points.size() - 3, points.size() - 2, points.size() - 1};
   for (int exchange = 0; exchange < 200; ++exchange) {
     const Eigen::Vector3d floor = plane(points, triangle);
@@ -77,6 +77,7 @@ std::optional<Triangle> lowerFace(const std::vector<Eigen::Vector3d>& points, co
 std::optional<RestingPlane> findRestingPlane(const std::vector<Eigen::Vector3d>& points,
                                              const Eigen::Vector3d& centreOfMass, const Eigen::Vector3d& up,
                                              double mostTilt) {
+  constexpr double settled = 1e-8; // [rad]; faces that differ less are one (1e-12 m across 0.1 mm)
   RestingPlane resting{up.normalized(), 0, {}};
   for (int tilt = 0; tilt < 50; ++tilt) {
     const Eigen::Matrix3d uprightFromBody =
@@ -102,7 +103,7 @@ std::optional<RestingPlane> findRestingPlane(const std::vector<Eigen::Vector3d>&
     if (std::acos(std::min(1.0, resting.up.dot(up.normalized()))) > mostTilt) {
       return std::nullopt;
     }
-    if ((resting.up - before).norm() < 1e-9) {
+    if ((resting.up - before).norm() < settled) {
       return resting;
     }
   }
