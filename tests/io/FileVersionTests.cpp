@@ -11,6 +11,8 @@ namespace {
 
 using Json = nlohmann::json;
 
+const std::string program = withFormat("any", Json::object())["writtenBy"];
+
 /// The sentence that refuses the document; empty if none does.
 std::string refusal(const Json& document, int newest = 1) {
   try {
@@ -33,11 +35,11 @@ TEST_CASE("files of known versions are read, and newer ones refused with the pro
   CHECK(refusal(document, 2) ==
         fmt::format("a.json: version: expected 1 to 2, found 3; a newer naocal wrote the file, this is {}; update this "
                     "program",
-                    writtenBy()));
+                    program));
   document["writtenBy"] = "naocal 9.1.0";
   CHECK(refusal(document) == fmt::format("a.json: version: expected 1, found 3; naocal 9.1.0 wrote the file, this is "
                                          "{}; update this program",
-                                         writtenBy()));
+                                         program));
   for (const Json& nonsense : {Json(std::string(1000, 'A')), Json(17), Json("")}) {
     document["writtenBy"] = nonsense;
     CHECK_THAT(refusal(document), Catch::Contains("found 3; a newer naocal wrote"));
@@ -52,9 +54,17 @@ TEST_CASE("files of known versions are read, and newer ones refused with the pro
   CHECK_THAT(refusal(document), Catch::Contains("format"));
 }
 
-TEST_CASE("a file names the program and its version") {
-  // Proves the form that people look for: a name, a blank and three numbers.
-  CHECK_THAT(writtenBy(), Catch::Matches("naocal [0-9]+\\.[0-9]+\\.[0-9]+"));
+TEST_CASE("a file begins with its format, its version and its program") {
+  // Proves the keys, the program's form that people look for, and that `content` remains, in its order where it has
+  // one.
+  const Json written = withFormat("naocal-model", {{"with", Json::array()}, {"define", 2}});
+  CHECK_THAT(written["writtenBy"].get<std::string>(), Catch::Matches("naocal [0-9]+\\.[0-9]+\\.[0-9]+"));
+  CHECK(
+      written ==
+      Json{{"format", "naocal-model"}, {"version", 1}, {"writtenBy", program}, {"with", Json::array()}, {"define", 2}});
+  CHECK(refusal(written) == "");
+  CHECK(withFormatInOrder("naocal-boards", {{"z", 1}, {"a", 2}}).dump() ==
+        fmt::format(R"({{"format":"naocal-boards","version":1,"writtenBy":"{}","z":1,"a":2}})", program));
 }
 
 } // namespace naocal

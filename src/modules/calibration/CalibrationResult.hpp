@@ -3,6 +3,7 @@
 #include "effects/Catalogue.hpp"
 #include "estimation/Residuals.hpp"
 #include "inference/NoiseLevels.hpp"
+#include "math/LevenbergMarquardt.hpp"
 
 #include <Eigen/Core>
 #include <array>
@@ -26,9 +27,10 @@ struct CalibrationOptions {
   std::uint64_t drawSeed = 1;
   bool robust = true;           // downweights and lists doubtful corners
   bool excludeDisplaced = true; // if robust, also excludes observations whose board was displaced
-  bool alternate = false;  // alternates joints and cameras as Adikari's thesis does, instead of fitting all at once
-  int maxIterations = 300; // of each first search; the fits that continue it have their own limit
-  int restarts = 0;        // additional random starts; the lowest cost wins
+  bool alternate = false; // alternates joints and cameras as Adikari's thesis does, instead of fitting all at once
+  /// Of each first search; the fits that continue it have their own limit.
+  int maxIterations = LevenbergMarquardtOptions{}.maxIterations;
+  int restarts = 0; // additional random starts; the lowest cost wins
   std::uint64_t seed = 1;
   std::optional<Eigen::VectorXd>
       start;                // initial unknowns; default: zero, with placements initialised from the pictures

@@ -205,10 +205,7 @@ nlohmann::json comparisonJson(const Comparison& comparison) {
     }
     return result;
   };
-  nlohmann::json result = one(comparison.all);
-  result["format"] = "naocal-compare";
-  result["version"] = 1;
-  result["writtenBy"] = writtenBy();
+  nlohmann::json result = withFormat("naocal-compare", one(comparison.all));
   result["nominal"] = one(comparison.nominal);
   result["byBoard"] = many(comparison.byBoard);
   result["byCamera"] = many(comparison.byCamera);

@@ -58,8 +58,7 @@ nlohmann::ordered_json toJson(const BoardListFile& list) {
   for (const Board& board : list.boards) {
     boards.push_back(toJson(board, entryOrNull("id", board.id, childOrNull(read, "boards"))));
   }
-  return mergeUnknownKeys({{"format", boardListFormat}, {"version", 1}, {"writtenBy", writtenBy()}, {"boards", boards}},
-                          read);
+  return mergeUnknownKeys(withFormatInOrder(boardListFormat, nlohmann::ordered_json{{"boards", boards}}), read);
 }
 
 } // namespace naocal

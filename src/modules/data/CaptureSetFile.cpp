@@ -457,16 +457,14 @@ Written setJson(const CaptureSet& set, const json& read) {
   }
   const auto unlessEmpty = [](const std::string& text) { return text.empty() ? Written() : Written(text); };
   const Written robot{{"model", set.model}, {"bodyId", unlessEmpty(set.bodyId)}, {"headId", unlessEmpty(set.headId)}};
-  return mergeUnknownKeys({{"format", "naocal-captures"},
-                           {"version", 1},
-                           {"writtenBy", writtenBy()},
-                           {"robot", mergeUnknownKeys(robot, childOrNull(read, "robot"))},
-                           {"jointNames", set.jointNames},
-                           {"cameras", cameras},
-                           {"boards", boards},
-                           {"stances", stances},
-                           {"captures", Written::array()}},
-                          read);
+  return mergeUnknownKeys(
+      withFormatInOrder("naocal-captures", {{"robot", mergeUnknownKeys(robot, childOrNull(read, "robot"))},
+                                            {"jointNames", set.jointNames},
+                                            {"cameras", cameras},
+                                            {"boards", boards},
+                                            {"stances", stances},
+                                            {"captures", Written::array()}}),
+      read);
 }
 
 /// One line per camera, board, stance and capture: readable, and suitable for line-based diffs.

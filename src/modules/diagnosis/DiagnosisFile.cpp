@@ -129,22 +129,21 @@ template <typename T> Json listJson(const std::vector<T>& all, const std::functi
 } // namespace
 
 Json diagnosisJson(const Diagnosis& diagnosis, std::size_t mostPoints) {
-  Json result{{"format", "naocal-diagnosis"},
-              {"version", 1},
-              {"writtenBy", writtenBy()},
-              {"verdict", toString(diagnosis.verdict)},
-              {"sentence", diagnosis.sentence},
-              {"lackOfFit",
-               {{"statistic", diagnosis.lackOfFit.statistic},
-                {"dof", diagnosis.lackOfFit.dof},
-                {"pValue", diagnosis.lackOfFit.pValue},
-                {"noiseFloorPx", diagnosis.lackOfFit.noiseFloorPx},
-                {"rmsPx", diagnosis.rmsPx}}},
-              {"alarm", diagnosis.alarm},
-              {"poseScatter", diagnosis.scatter},
-              {"suggested", diagnosis.suggested},
-              {"define", diagnosis.own ? Json::array({Json::parse(diagnosis.own->definition)}) : Json::array()},
-              {"seconds", diagnosis.seconds}};
+  Json result =
+      withFormat("naocal-diagnosis",
+                 {{"verdict", toString(diagnosis.verdict)},
+                  {"sentence", diagnosis.sentence},
+                  {"lackOfFit",
+                   {{"statistic", diagnosis.lackOfFit.statistic},
+                    {"dof", diagnosis.lackOfFit.dof},
+                    {"pValue", diagnosis.lackOfFit.pValue},
+                    {"noiseFloorPx", diagnosis.lackOfFit.noiseFloorPx},
+                    {"rmsPx", diagnosis.rmsPx}}},
+                  {"alarm", diagnosis.alarm},
+                  {"poseScatter", diagnosis.scatter},
+                  {"suggested", diagnosis.suggested},
+                  {"define", diagnosis.own ? Json::array({Json::parse(diagnosis.own->definition)}) : Json::array()},
+                  {"seconds", diagnosis.seconds}});
   result["ranking"] = listJson<CandidateFinding>(
       diagnosis.ranking, [&](const CandidateFinding& finding) { return rankingEntry(finding, mostPoints); });
   result["steps"] = listJson<SelectionStep>(diagnosis.steps, stepJson);

@@ -129,13 +129,10 @@ nlohmann::json sessionJson(const Session& session) {
   for (const ModelRevision& rung : session.ladder) {
     ladder.push_back(revisionJson(rung));
   }
-  return {{"format", "naocal-session"},
-          {"version", 1},
-          {"writtenBy", writtenBy()},
-          {"sets", session.inputs.sets},
-          {"sha256", session.inputs.sha256},
-          {"ladder", std::move(ladder)},
-          {"at", session.at}};
+  return withFormat("naocal-session", {{"sets", session.inputs.sets},
+                                       {"sha256", session.inputs.sha256},
+                                       {"ladder", std::move(ladder)},
+                                       {"at", session.at}});
 }
 
 Session readSession(const std::filesystem::path& file) {

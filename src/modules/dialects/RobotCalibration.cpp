@@ -140,11 +140,7 @@ json calibrationJson(const RobotCalibration& calibration) {
       one["lens"] = lensJson(*camera.lens);
     }
   }
-  json all = {{"format", calibrationFormat},
-              {"version", 1},
-              {"writtenBy", writtenBy()},
-              {"offsets", calibration.offsets},
-              {"cameras", std::move(cameras)}};
+  json all = withFormat(calibrationFormat, {{"offsets", calibration.offsets}, {"cameras", std::move(cameras)}});
   if (!calibration.headId.empty()) {
     all["headId"] = calibration.headId;
   }

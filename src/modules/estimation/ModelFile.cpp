@@ -26,9 +26,7 @@ std::vector<Effect> parseEffects(const nlohmann::json& definitions, const std::s
 
 nlohmann::json modelFileJson(const std::vector<std::string>& with, const std::vector<std::string>& without,
                              nlohmann::json define) {
-  return {{"format", "naocal-model"}, {"version", 1},
-          {"writtenBy", writtenBy()}, {"with", with},
-          {"without", without},       {"define", std::move(define)}};
+  return withFormat("naocal-model", {{"with", with}, {"without", without}, {"define", std::move(define)}});
 }
 
 ModelFile readModelFile(const std::filesystem::path& file, const Robot& robot) {

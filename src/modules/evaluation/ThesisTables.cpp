@@ -314,19 +314,17 @@ nlohmann::json evaluationJson(const ThesisEvaluation& evaluation) {
       }
     }
   }
-  nlohmann::json result = {{"format", "naocal-evaluation"},
-                           {"version", 1},
-                           {"writtenBy", writtenBy()},
-                           {"sets", evaluation.sets},
-                           {"seed", evaluation.seed},
-                           {"pixelNoise", evaluation.pixel},
-                           {"parts", evaluation.parts},
-                           {"done", evaluation.done},
-                           {"joints", evaluation.joints},
-                           {"inputs", evaluation.inputs},
-                           {"errorBins", {{"firstDegrees", firstErrorDegrees}, {"widthDegrees", errorBinDegrees}}},
-                           {"offsetBins", {{"firstDegrees", firstOffsetDegrees}, {"widthDegrees", offsetBinDegrees}}},
-                           {"cells", cells}};
+  nlohmann::json result = withFormat(
+      "naocal-evaluation", {{"sets", evaluation.sets},
+                            {"seed", evaluation.seed},
+                            {"pixelNoise", evaluation.pixel},
+                            {"parts", evaluation.parts},
+                            {"done", evaluation.done},
+                            {"joints", evaluation.joints},
+                            {"inputs", evaluation.inputs},
+                            {"errorBins", {{"firstDegrees", firstErrorDegrees}, {"widthDegrees", errorBinDegrees}}},
+                            {"offsetBins", {{"firstDegrees", firstOffsetDegrees}, {"widthDegrees", offsetBinDegrees}}},
+                            {"cells", cells}});
   if (const auto [failures, reached, ranOut] = restartedFailures(evaluation); failures > 0) {
     const Proportion share = proportion(reached, failures);
     result["restartedFailures"] = {

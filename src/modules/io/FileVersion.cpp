@@ -7,6 +7,8 @@ namespace naocal {
 
 namespace {
 
+constexpr std::string_view thisProgram = "naocal " NAOCAL_VERSION;
+
 /// "naocal 9.1.0", or "a newer naocal" if the file does not say.
 std::string describeWriter(const JsonCursor& document) {
   constexpr std::size_t longest = 40; // of a plausible name and version
@@ -18,15 +20,22 @@ std::string describeWriter(const JsonCursor& document) {
 
 } // namespace
 
-std::string writtenBy() {
-  return "naocal " NAOCAL_VERSION;
+nlohmann::json withFormat(std::string_view format, nlohmann::json content) {
+  content.update({{"format", format}, {"version", 1}, {"writtenBy", thisProgram}});
+  return content;
+}
+
+nlohmann::ordered_json withFormatInOrder(std::string_view format, const nlohmann::ordered_json& content) {
+  nlohmann::ordered_json all{{"format", format}, {"version", 1}, {"writtenBy", thisProgram}};
+  all.update(content);
+  return all;
 }
 
 void requireVersion(const JsonCursor& document, int newest) {
   const JsonCursor version = document.at("version");
   const std::string writer = describeWriter(document); // `writtenBy` is a known key of every file
   if (const int found = version.integer(1, maxInteger); found > newest) {
-    version.describeAs("", fmt::format("{} wrote the file, this is {}; update this program", writer, writtenBy()))
+    version.describeAs("", fmt::format("{} wrote the file, this is {}; update this program", writer, thisProgram))
         .refuse(newest == 1 ? "1" : fmt::format("1 to {}", newest));
   }
 }

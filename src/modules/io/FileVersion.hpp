@@ -2,14 +2,16 @@
 
 #include "io/JsonReader.hpp"
 
+#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 
 namespace naocal {
 
-/// The program that writes a file, the value of its key `writtenBy`: "naocal 0.1.0". For people: readers ignore it,
-/// except to name it where they refuse a newer file.
-std::string writtenBy();
+/// `content` with the keys that begin every file: `format`, `version` (1) and `writtenBy`, such as "naocal 0.1.0", for
+/// people: readers ignore it, except to name it where they refuse a newer file.
+nlohmann::json withFormat(std::string_view format, nlohmann::json content);
+nlohmann::ordered_json withFormatInOrder(std::string_view format, const nlohmann::ordered_json& content);
 
 /// Throws InputError unless the document's `version` is 1 to `newest`, the versions that its reader knows. A newer one
 /// is refused with the program that wrote it and the advice to update this one.

@@ -247,25 +247,23 @@ Json planJson(const PosePlan& plan, const Robot& robot) {
       poses[i]["via"].push_back(anglesJson(angles, robot));
     }
   }
-  Json result = {{"format", "naocal-poses"},
-                 {"version", 1},
-                 {"writtenBy", writtenBy()},
-                 {"robot", robot.model},
-                 {"support", supportOf(plan)},
-                 {"candidates",
-                  {{"generated", plan.sieve.generated},
-                   {"reachable", plan.sieve.reachable},
-                   {"collisionFree", plan.sieve.collisionFree},
-                   {"stable", plan.sieve.stable},
-                   {"seeing", plan.sieve.seeing}}},
-                 {"poses", poses},
-                 {"boards", boardsWithTolerances(plan)},
-                 {"predictedSigma", plan.sigma},
-                 {"predictedSigmaKnown", plan.sigmaKnown},
-                 {"predictedSigmaOfRobots", plan.sigmaOfRobots},
-                 {"criterion", toString(plan.options.criterion)},
-                 {"interaction", {{"cost", plan.interaction.cost}, {"count", plan.interaction.count}}},
-                 {"assumptions", assumptions(plan.options)}};
+  Json result =
+      withFormat("naocal-poses", {{"robot", robot.model},
+                                  {"support", supportOf(plan)},
+                                  {"candidates",
+                                   {{"generated", plan.sieve.generated},
+                                    {"reachable", plan.sieve.reachable},
+                                    {"collisionFree", plan.sieve.collisionFree},
+                                    {"stable", plan.sieve.stable},
+                                    {"seeing", plan.sieve.seeing}}},
+                                  {"poses", poses},
+                                  {"boards", boardsWithTolerances(plan)},
+                                  {"predictedSigma", plan.sigma},
+                                  {"predictedSigmaKnown", plan.sigmaKnown},
+                                  {"predictedSigmaOfRobots", plan.sigmaOfRobots},
+                                  {"criterion", toString(plan.options.criterion)},
+                                  {"interaction", {{"cost", plan.interaction.cost}, {"count", plan.interaction.count}}},
+                                  {"assumptions", assumptions(plan.options)}});
   if (plan.misfit) {
     result["effects"] = plan.options.effects;
     result["misfit"] = *plan.misfit;
@@ -321,10 +319,7 @@ Json nextPosesJson(const NextPoses& next, const Robot& robot) {
 Json posesJson(const NextPoses& next, const Robot& robot) {
   const bool oneFoot = next.around.size() == 1;
   const auto foot = [](SupportFoot each) { return std::string{supportFootWords[static_cast<std::size_t>(each)]}; };
-  Json result = nextPosesJson(next, robot);
-  result["format"] = "naocal-poses";
-  result["version"] = 1;
-  result["writtenBy"] = writtenBy();
+  Json result = withFormat("naocal-poses", nextPosesJson(next, robot));
   result["robot"] = robot.model;
   result["support"] = oneFoot ? foot(next.around.front().supportFoot) : "both";
   result["candidates"] = {{"stable", next.stable}, {"seeing", next.seeing}};

@@ -79,8 +79,8 @@ json historyJson(const std::vector<RobotHistory>& histories, const std::string& 
                       {"falls", std::move(falls)},
                       {"joints", jointsJson(history)}});
   }
-  return {{"format", "naocal-history"}, {"version", 1},     {"writtenBy", writtenBy()},   {"rule", describeRule()},
-          {"folder", folder},           {"broken", broken}, {"robots", std::move(robots)}};
+  return withFormat("naocal-history",
+                    {{"rule", describeRule()}, {"folder", folder}, {"broken", broken}, {"robots", std::move(robots)}});
 }
 
 } // namespace naocal

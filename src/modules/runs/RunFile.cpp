@@ -55,17 +55,14 @@ RunRobot readRobot(const JsonCursor& place) {
 } // namespace
 
 json runJson(const Run& run) {
-  json document{{"format", "naocal-run"},
-                {"version", 1},
-                {"writtenBy", writtenBy()},
-                {"time", formatTime(run.time)},
-                {"robot",
-                 {{"body", run.robot.body},
-                  {"head", run.robot.head},
-                  {"bodyId", run.robot.bodyId},
-                  {"headId", run.robot.headId}}},
-                {"kind", run.kind},
-                {"by", run.by}};
+  json document = withFormat("naocal-run", {{"time", formatTime(run.time)},
+                                            {"robot",
+                                             {{"body", run.robot.body},
+                                              {"head", run.robot.head},
+                                              {"bodyId", run.robot.bodyId},
+                                              {"headId", run.robot.headId}}},
+                                            {"kind", run.kind},
+                                            {"by", run.by}});
   if (run.outcome) {
     document["outcome"] = outcomeWords[static_cast<std::size_t>(*run.outcome)];
     document["heldOut"] = run.heldOut;

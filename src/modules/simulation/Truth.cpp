@@ -63,16 +63,13 @@ std::string formatTruth(const Truth& truth) {
   for (const GrossCorner& corner : truth.grossCorners) {
     gross.push_back({{"capture", corner.capture}, {"board", corner.board}, {"corner", corner.corner}});
   }
-  const Json json = {{"format", "naocal-truth"},
-                     {"version", 1},
-                     {"writtenBy", writtenBy()},
-                     {"seed", truth.seed},
-                     {"effects", effects},
-                     {"placements", placementsJson(truth.placements)},
-                     {"simulatorWorld", placementsJson(truth.ownWorld)},
-                     {"noise", noise},
-                     {"displacedBoards", displaced},
-                     {"grossCorners", gross}};
+  const Json json = withFormatInOrder("naocal-truth", {{"seed", truth.seed},
+                                                       {"effects", effects},
+                                                       {"placements", placementsJson(truth.placements)},
+                                                       {"simulatorWorld", placementsJson(truth.ownWorld)},
+                                                       {"noise", noise},
+                                                       {"displacedBoards", displaced},
+                                                       {"grossCorners", gross}});
   return json.dump(1) + "\n";
 }
 

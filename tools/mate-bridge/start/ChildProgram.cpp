@@ -213,22 +213,4 @@ std::string ChildProgram::failure() const {
   return fmt::format("{} ended with exit code {}", running_->name, *exitCode());
 }
 
-std::optional<std::filesystem::path> findProgram(const std::string& name) {
-  std::error_code error;
-  const std::filesystem::path here = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
-  std::vector<std::filesystem::path> folders{here, here.parent_path() / name};
-  const char* path = std::getenv("PATH");
-  std::istringstream list{path == nullptr ? "" : path};
-  for (std::string folder; std::getline(list, folder, ':');) {
-    folders.emplace_back(folder);
-  }
-  for (const std::filesystem::path& folder : folders) {
-    const std::filesystem::path program = folder / name;
-    if (std::filesystem::is_regular_file(program, error) && access(program.c_str(), X_OK) == 0) {
-      return std::filesystem::absolute(program);
-    }
-  }
-  return std::nullopt;
-}
-
 } // namespace naocal

@@ -45,7 +45,4 @@ private:
   std::shared_ptr<Running> running_;
 };
 
-/// One of naocal's programs: beside this one (installed or build tree), otherwise on the PATH; absent if there is none.
-std::optional<std::filesystem::path> findProgram(const std::string& name);
-
 } // namespace naocal

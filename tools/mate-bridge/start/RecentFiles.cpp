@@ -104,8 +104,7 @@ void RecentFiles::write() {
   for (const RecentFile& entry : files_) {
     recent.push_back({{"paths", entry.paths}, {"opened", entry.opened}});
   }
-  const Json document{
-      {"format", format}, {"version", 1}, {"writtenBy", writtenBy()}, {"recent", recent}, {"robots", robots_}};
+  const Json document = withFormat(format, {{"recent", recent}, {"robots", robots_}});
   try {
     std::filesystem::create_directories(file_.parent_path());
     writeAtomically(file_, jsonLine(document));

@@ -1,5 +1,6 @@
 #include "start/RobotSearch.hpp"
 
+#include "io/Programs.hpp"
 #include "robot/RobotClient.hpp"
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 #include "start/SampleSet.hpp"
 
 #include "io/InputError.hpp"
+#include "io/Programs.hpp"
 #include "protocol/BoundedJson.hpp"
 
 #include <fmt/format.h>

@@ -1,11 +1,13 @@
 #include "start/SimulatedRobot.hpp"
 
 #include "io/InputError.hpp"
+#include "io/Programs.hpp"
 
 #include <boost/asio/ip/tcp.hpp>
 #include <csignal>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <unistd.h>
 #include <utility>
 
 namespace naocal {
@@ -42,8 +44,9 @@ void SimulatedRobot::start() {
   }
   const std::uint16_t port = freeBasePort(context_);
   folder_ = std::make_unique<TemporaryDirectory>();
-  child_.start({"--hardware", "simulated", "--base-port", std::to_string(port), "--state",
-                (folder_->path() / "state").string(), "--recordings", (folder_->path() / "recordings").string()});
+  child_.start({"--hardware", "simulated", "--parent", std::to_string(::getpid()), "--base-port", std::to_string(port),
+                "--state", (folder_->path() / "state").string(), "--recordings",
+                (folder_->path() / "recordings").string()});
   ending_ = false;
   address_ = fmt::format("127.0.0.1:{}", port);
   calls_.changed();

@@ -181,15 +181,12 @@ void apply(const ApplyCommand& command) {
             : recordApplied({command.result, command.state, command.undo, robotOf(command, names, loaded.calibration)},
                             loaded, before, configuration);
     if (!command.json.empty()) {
-      writeJson({{"format", "naocal-apply"},
-                 {"version", 1},
-                 {"writtenBy", writtenBy()},
-                 {"body", names.body},
-                 {"head", names.head},
-                 {"changes", changes},
-                 {"joints", compensationsJson(loaded)},
-                 {"files", files},
-                 {"written", !command.dryRun && !changes.empty()}},
+      writeJson(withFormat("naocal-apply", {{"body", names.body},
+                                            {"head", names.head},
+                                            {"changes", changes},
+                                            {"joints", compensationsJson(loaded)},
+                                            {"files", files},
+                                            {"written", !command.dryRun && !changes.empty()}}),
                 command.json);
     }
     if (command.json != "-" && !changes.empty()) {

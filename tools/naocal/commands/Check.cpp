@@ -25,9 +25,10 @@ struct CheckCommand {
 };
 
 nlohmann::json checkJson(const CheckCommand& command, const CaptureSetCheck& check) {
-  nlohmann::json document{
-      {"format", "naocal-check"},   {"version", 1},         {"writtenBy", writtenBy()},           {"set", command.set},
-      {"captures", check.captures}, {"poses", check.poses}, {"problems", nlohmann::json::array()}};
+  nlohmann::json document = withFormat("naocal-check", {{"set", command.set},
+                                                        {"captures", check.captures},
+                                                        {"poses", check.poses},
+                                                        {"problems", nlohmann::json::array()}});
   for (const SetProblem& problem : check.problems) {
     document["problems"].push_back({{"number", document["problems"].size() + 1},
                                     {"severity", toString(problem.severity)},

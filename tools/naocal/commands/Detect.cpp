@@ -60,10 +60,10 @@ std::map<std::string, BoardCount> boardCounts(const CaptureSet& set) {
 }
 
 nlohmann::json detectionJson(const CaptureSet& set, const SetDetection& detection) {
-  nlohmann::json document{{"format", "naocal-detection"},       {"version", 1},
-                          {"writtenBy", writtenBy()},           {"pictures", detection.pictures},
-                          {"boards", nlohmann::json::object()}, {"findings", nlohmann::json::array()},
-                          {"unreadable", detection.unreadable}};
+  nlohmann::json document = withFormat("naocal-detection", {{"pictures", detection.pictures},
+                                                            {"boards", nlohmann::json::object()},
+                                                            {"findings", nlohmann::json::array()},
+                                                            {"unreadable", detection.unreadable}});
   for (const auto& [board, count] : boardCounts(set)) {
     document["boards"][board] = {{"pictures", count.pictures}, {"corners", count.corners}};
   }

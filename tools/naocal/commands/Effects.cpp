@@ -148,7 +148,7 @@ nlohmann::json effectsJson(const std::vector<Effect>& effects, const Robot& robo
       list.back()["alias"] = effect.alias;
     }
   }
-  return {{"format", "naocal-effects"}, {"version", 1}, {"writtenBy", writtenBy()}, {"effects", std::move(list)}};
+  return withFormat("naocal-effects", nlohmann::json{{"effects", std::move(list)}});
 }
 
 void print(const Effect& effect, const Robot& robot) {

@@ -10,6 +10,7 @@
 #include "io/FileVersion.hpp"
 #include "io/Files.hpp"
 #include "io/InputError.hpp"
+#include "io/Programs.hpp"
 #include "robot/Robot.hpp"
 
 #include <CLI/CLI.hpp>
@@ -176,7 +177,7 @@ private:
 };
 
 BlindRun::BlindRun(BlindPlan plan)
-    : plan_{std::move(plan)}, naocal_{findProgram("naocal")}, writer_{findProgram("blind-writer")} {
+    : plan_{std::move(plan)}, naocal_{requireProgram("naocal")}, writer_{requireProgram("blind-writer")} {
   std::vector<std::string> command = writerCommand();
   command.emplace_back("--size");
   const ProcessResult counted = runProcess(command);
@@ -223,11 +224,7 @@ bool BlindRun::runSet(std::size_t number) const {
   if (!answer) {
     return false;
   }
-  answer->update({{"format", "naocal-blind-answer"},
-                  {"version", 1},
-                  {"writtenBy", writtenBy()},
-                  {"set", name},
-                  {"truthSha256", manifest.at("truthSha256")}});
+  answer->update(withFormat("naocal-blind-answer", {{"set", name}, {"truthSha256", manifest.at("truthSha256")}}));
   files::create_directories(plan_.out / "answers");
   writeAtomically(answerFile(number), answer->dump(1) + "\n");
   if (!plan_.keep) {
@@ -239,7 +236,7 @@ bool BlindRun::runSet(std::size_t number) const {
 
 /// Runs blind-judge on a folder and prints its output. `json`, `page`: files to write; empty: none.
 void runJudge(const files::path& folder, const std::string& json, const std::string& page) {
-  std::vector<std::string> command{findProgram("blind-judge"), folder};
+  std::vector<std::string> command{requireProgram("blind-judge"), folder};
   if (!json.empty()) {
     command.insert(command.end(), {"--json", json});
   }

@@ -115,16 +115,13 @@ void evaluateNext(const NextCommand& command) {
                       {"proposed", armJson(trial.proposed)},
                       {"random", armJson(trial.random)}});
     }
-    writeJson({{"format", "naocal-next-evaluation"},
-               {"version", 1},
-               {"writtenBy", writtenBy()},
-               {"robots", all.size()},
-               {"open", open.size()},
-               {"start", command.options.start},
-               {"certainty", command.options.certainty},
-               {"proposed", summaryJson(proposed)},
-               {"random", summaryJson(random)},
-               {"trials", list}},
+    writeJson(withFormat("naocal-next-evaluation", {{"robots", all.size()},
+                                                    {"open", open.size()},
+                                                    {"start", command.options.start},
+                                                    {"certainty", command.options.certainty},
+                                                    {"proposed", summaryJson(proposed)},
+                                                    {"random", summaryJson(random)},
+                                                    {"trials", list}}),
               command.json);
   }
   if (command.json == "-") {

@@ -11,6 +11,7 @@
 #include "io/Files.hpp"
 #include "io/InputError.hpp"
 #include "io/JsonReader.hpp"
+#include "io/Programs.hpp"
 #include "io/Units.hpp"
 
 #include <CLI/CLI.hpp>
@@ -65,7 +66,7 @@ std::optional<files::path> ReplayCommand::recordedResult() const {
 
 std::vector<std::string> ReplayCommand::robotCommand(const files::path& into) const {
   std::vector<std::string> command{
-      findProgram("naocal-robot"), "--hardware", "replay", "--recording", recording, "--recordings", into.string()};
+      requireProgram("naocal-robot"), "--hardware", "replay", "--recording", recording, "--recordings", into.string()};
   if (!configuration.empty()) {
     command.insert(command.end(), {"--configuration", configuration});
   }
@@ -159,13 +160,9 @@ void printEstimates(const std::vector<ReplayedEstimate>& estimates, bool isCompa
 
 nlohmann::json replayJson(const ReplayCommand& command, const std::vector<std::string>& said, bool usable,
                           const std::vector<ReplayedEstimate>& estimates) {
-  nlohmann::json document{{"format", "naocal-replay"},
-                          {"version", 1},
-                          {"writtenBy", writtenBy()},
-                          {"set", command.recording},
-                          {"usable", usable},
-                          {"said", said},
-                          {"estimates", nlohmann::json::array()}};
+  nlohmann::json document = withFormat(
+      "naocal-replay",
+      {{"set", command.recording}, {"usable", usable}, {"said", said}, {"estimates", nlohmann::json::array()}});
   for (const ReplayedEstimate& each : estimates) {
     nlohmann::json entry{{"unknown", each.name}, {"unit", each.unit}, {"value", each.value}, {"sigma", each.sigma}};
     if (each.recorded) {

@@ -315,14 +315,11 @@ void simulateSet(const SimulateOptions& options) {
   writeAtomically(truth, formatTruth(simulation.truth));
   removePictures(before, options.output);
   if (!options.json.empty()) {
-    writeJson({{"format", "naocal-simulation"},
-               {"version", 1},
-               {"writtenBy", writtenBy()},
-               {"set", options.output},
-               {"truth", truth.string()},
-               {"captures", simulation.set.captures.size()},
-               {"corners", cornerCount(simulation.set)},
-               {"seed", options.seed}},
+    writeJson(withFormat("naocal-simulation", {{"set", options.output},
+                                               {"truth", truth.string()},
+                                               {"captures", simulation.set.captures.size()},
+                                               {"corners", cornerCount(simulation.set)},
+                                               {"seed", options.seed}}),
               options.json);
   }
   if (options.json != "-") {

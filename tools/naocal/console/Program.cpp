@@ -6,6 +6,7 @@
 #include "command-line/Parsing.hpp"
 #include "io/Failure.hpp"
 #include "io/InputError.hpp"
+#include "io/Programs.hpp"
 #include "math/Parallel.hpp"
 
 #include <CLI/CLI.hpp>
@@ -19,7 +20,7 @@ namespace {
 int run(std::string_view program, CompleteCommands complete, int argc, char** argv) {
   const CommandEntry* const asked = argc > 1 ? findCommand(argv[1]) : nullptr;
   if (asked != nullptr && asked->program != program) {
-    becomeProgram(findProgram(std::string{asked->program}), argv);
+    becomeProgram(requireProgram(std::string{asked->program}), argv);
   }
   CLI::App app{"naocal: calibrates a robot's joints and cameras from pictures of printed boards, with uncertainties.",
                std::string{mainProgram}};

@@ -161,18 +161,4 @@ void becomeProgram(const std::filesystem::path& program, char** arguments) {
   throw InputError{fmt::format("{}: cannot be started: {}", program.string(), std::strerror(errno))};
 }
 
-std::filesystem::path findProgram(const std::string& name) {
-  const std::filesystem::path here = std::filesystem::read_symlink("/proc/self/exe").parent_path();
-  const std::filesystem::path above = here.parent_path(); // of bin: the prefix, with libexec/naocal
-  for (const std::filesystem::path& folder :
-       {here, above / "libexec/naocal", above.parent_path() / "bin", above / name}) {
-    if (std::filesystem::is_regular_file(folder / name)) {
-      return folder / name;
-    }
-  }
-  throw InputError{fmt::format("{}: expected the program {} beside naocal, found none; install it too, or build the "
-                               "target {}",
-                               here.string(), name, name)};
-}
-
 } // namespace naocal

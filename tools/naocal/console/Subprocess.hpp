@@ -28,8 +28,4 @@ ProcessResult followProcess(const std::vector<std::string>& command, const std::
 /// InputError if it cannot be started.
 [[noreturn]] void becomeProgram(const std::filesystem::path& program, char** arguments);
 
-/// Another of naocal's programs: beside this one, in the folders of an installation (bin, libexec/naocal), or in the
-/// build folder. Throws InputError if it is not there.
-std::filesystem::path findProgram(const std::string& name);
-
 } // namespace naocal

@@ -1,12 +1,11 @@
 #include "framework/configuration/AtomicWrite.hpp"
 
 #include "framework/configuration/ConfigurationLayers.hpp"
+#include "io/Folders.hpp"
 
 #include <algorithm>
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <unistd.h>
 
 namespace naocal {
 namespace {
@@ -36,25 +35,6 @@ std::vector<FileContent> filesOf(const nlohmann::json& noted, const std::filesys
     throw ConfigurationError{"expected files and their content, found something else"};
   }
   return files;
-}
-
-/// Makes the names in a folder durable, where the system can do so.
-void syncFolder(const std::filesystem::path& folder) {
-  if (const int file = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); file >= 0) {
-    ::fsync(file);
-    ::close(file);
-  }
-}
-
-/// Creates missing folders. Their names are durable before anything is written into them: otherwise a power failure
-/// could lose files that were written.
-void createFolders(const std::filesystem::path& folder) {
-  if (folder.empty() || std::filesystem::is_directory(folder)) {
-    return;
-  }
-  createFolders(folder.parent_path());
-  std::filesystem::create_directory(folder);
-  syncFolder(folder.parent_path());
 }
 
 /// Removes a journal for good: it must not come back after a power failure and undo what is written later.
