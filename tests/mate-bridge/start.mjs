@@ -2,7 +2,7 @@
 // for, a simulated robot, boards to print; dialogs, notices, terms, and narrow windows.
 // Proves that page and bridge offer them together; calibrations on robots and numbers are not tested.
 // Usage: node start.mjs NAOCAL MATE-BRIDGE NODE_MODULES PICTURES
-import {chmodSync, existsSync, mkdirSync, readFileSync, writeFileSync} from "node:fs";
+import {chmodSync, existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync} from "node:fs";
 import {join} from "node:path";
 import {tools, check, happens, panelOf, run, folder, quietPage, portrait, setEnvironment, until, end} from "./browser.mjs";
 
@@ -185,7 +185,16 @@ async function tabOfMenu(name) {
   await page.screenshot({path: join(pictures, "narrow-menu.png")});
   await tab(name);
 }
+await page.setViewportSize({width: 1366, height: 800});
+await click("Simulate a robot");
+await page.locator(".robot.connected").waitFor();
+const [robot, ...others] = childrenOf(panel.pid);
+check(robot && !others.length, "the bridge runs the simulated robot and nothing else");
 await browser.close();
-await panel.stop("SIGTERM");
-check(await until(() => !existsSync("/proc/" + panel.pid)), "the bridge ends");
+await panel.stop("SIGKILL");
+check(await until(() => !existsSync("/proc/" + robot)), "a simulated robot ends with its bridge, however that ends");
+function childrenOf(parent) {
+  const parentOf = pid => { try { return Number(readFileSync(`/proc/${pid}/stat`, "utf8").replace(/^.*\) /, "").split(" ")[1]); } catch { return 0; /* has ended */ } };
+  return readdirSync("/proc").filter(name => /^\d+$/.test(name) && parentOf(name) === parent);
+}
 end();

@@ -17,6 +17,8 @@
 #include <fmt/format.h>
 #include <iostream>
 #include <nlohmann/json.hpp> // to_json of the productions
+#include <sys/prctl.h>
+#include <unistd.h>
 
 namespace naocal {
 namespace {
@@ -25,6 +27,7 @@ struct Options {
   std::string hardware = "simulated", simulation;
   std::filesystem::path recording, boards;
   std::uint64_t seed = 1;
+  pid_t parent = 0; // process that started this one; 0: whichever
   RobotProcessOptions process{configurationDirectory(), "recordings", "", std::nullopt, true};
 };
 
@@ -95,6 +98,12 @@ Hardware hardwareOf(Options& options) {
                            options.process.configuration);
 }
 
+/// Has the kernel send SIGTERM when the process that started this one ends. False if it has ended already.
+bool endWith(pid_t parent) {
+  ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+  return ::getppid() == parent;
+}
+
 int run(Options options) {
   sigset_t ends; // blocked in all threads; sigwait below
   ::sigemptyset(&ends);
@@ -102,6 +111,9 @@ int run(Options options) {
   ::sigaddset(&ends, SIGTERM);
   ::sigaddset(&ends, SIGHUP); // terminal closed
   ::pthread_sigmask(SIG_BLOCK, &ends, nullptr);
+  if (options.parent != 0 && !endWith(options.parent)) {
+    return 0;
+  }
   const Hardware hardware = hardwareOf(options);
   const auto identity = hardware.robot->waitForIdentity(std::chrono::seconds{10});
   if (!identity) {
@@ -186,6 +198,11 @@ int main(int argc, char** argv) {
       ->type_name("PORT")
       ->group(naocal::expertOptions)
       ->check(naocal::wholeNumber(1, 65533));
+  app.add_option("--parent", options.parent,
+                 "process that starts this one: when it ends, however it ends, this one goes to its stand and ends too")
+      ->type_name("PID")
+      ->group(naocal::expertOptions)
+      ->check(naocal::wholeNumber(1, 1 << 22));
   app.add_option("--location", options.process.location, "layer of the configuration beside the default")
       ->type_name("NAME")
       ->group(naocal::expertOptions);
