@@ -12,7 +12,7 @@
 
 namespace naocal {
 
-/// A robot's two UNIX sockets; sends only the given list of mounts, and records requests for keys.
+/// A robot's two UNIX sockets; sends only the given list of mounts, and records requests for keys and settings.
 class FakeRobot {
 public:
   FakeRobot(boost::asio::io_context& context, const std::filesystem::path& folder, std::string mounts)
@@ -24,6 +24,12 @@ public:
   }
 
   std::vector<std::string> keysAskedFor; // mounts requested by GET_KEYS
+  std::vector<std::string> settings;     // bodies of SET
+  bool isSilent = false;                 // sends nothing at all
+
+  /// Closes the connections to one of the two sockets.
+  void closeDebug() { close(debugFormat); }
+  void closeConfig() { close(configFormat); }
 
 private:
   using Local = boost::asio::local::stream_protocol;
@@ -36,7 +42,8 @@ private:
   void accept(Local::acceptor& acceptor, const FrameFormat& format) {
     acceptor.async_accept([this, &format, &acceptor](boost::system::error_code error, Local::socket socket) {
       if (!error) {
-        readHeader(std::make_shared<Peer>(Peer{std::move(socket), format, {}}));
+        peers_.push_back(std::make_shared<Peer>(Peer{std::move(socket), format, {}}));
+        readHeader(peers_.back());
         accept(acceptor, format);
       }
     });
@@ -63,19 +70,31 @@ private:
                             });
   }
 
+  void close(const FrameFormat& format) {
+    for (const std::shared_ptr<Peer>& peer : peers_) {
+      if (&peer->format == &format) {
+        boost::system::error_code ignored;
+        peer->socket.close(ignored);
+      }
+    }
+  }
+
   void answer(Peer& peer, ConfigType asked) {
     if (&peer.format != &configFormat) {
       return;
     }
     if (asked == ConfigType::getKeys) {
       keysAskedFor.push_back(peer.bytes);
-    } else if (asked == ConfigType::getMounts) {
+    } else if (asked == ConfigType::set) {
+      settings.push_back(peer.bytes);
+    } else if (asked == ConfigType::getMounts && !isSilent) {
       boost::system::error_code ignored;
       boost::asio::write(peer.socket, boost::asio::buffer(encodeConfigFrame(ConfigType::sendMounts, mounts_)), ignored);
     }
   }
 
   std::string mounts_; // JSON
+  std::vector<std::shared_ptr<Peer>> peers_;
   Local::acceptor debug_, config_;
 };
 

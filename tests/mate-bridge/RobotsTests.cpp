@@ -212,6 +212,32 @@ TEST_CASE("a robot that comes back is connected and subscribed to again", "[slow
   CHECK(update["values"][0]["key"] == "Brain.count");
 }
 
+TEST_CASE("a secret is sent after every reconnect, until the robot closes the connection because of it", "[slow]") {
+  // Proves that a network that fails again before the robot has answered does not lose the secret.
+  const TemporaryFolder folder;
+  Listening panel;
+  const std::string here = folder.path().string();
+  FakeRobot robot{panel.context, folder.path(), R"({"keys": [{"key": "Brain.Counter", "filename": ""}]})"};
+  REQUIRE(panel.connected(here)["sentence"] == "connected");
+  REQUIRE_FALSE(panel.heard("mounts").is_null());
+  panel.robots.at(here, "set").set(Json::array({{{"mp", "naocal.access"}, {"key", "secret"}, {"value", "sesame"}}}));
+  for (std::size_t sent = 1; sent < 4; ++sent) {
+    CAPTURE(sent);
+    panel.runUntil([&] { return robot.settings.size() >= sent; });
+    REQUIRE(robot.settings.size() == sent);
+    CHECK(robot.settings.back().find("sesame") != std::string::npos);
+    robot.isSilent = true;
+    robot.closeDebug();
+  }
+  const auto isConnected = [](const Json& state) { return state["connected"].get<bool>(); };
+  panel.runUntil([&] { return robot.settings.size() >= 4; });
+  panel.told.clear();
+  robot.closeConfig();
+  REQUIRE_FALSE(panel.heard("robot", isConnected).is_null());
+  panel.context.run_for(std::chrono::milliseconds{200}); // for a message that must not come
+  CHECK(robot.settings.size() == 4);
+}
+
 TEST_CASE("whoever is no robot is told so, and the panel lives on") {
   // Proves it over TCP for servers with another protocol, another version, or an oversized frame.
   using namespace std::string_literals;

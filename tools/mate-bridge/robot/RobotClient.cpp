@@ -3,6 +3,7 @@
 #include "io/InputError.hpp"
 #include "protocol/Frames.hpp"
 
+#include <boost/asio/error.hpp>
 #include <boost/asio/generic/stream_protocol.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/local/stream_protocol.hpp>
@@ -98,6 +99,8 @@ public:
   void send(std::string frame);
   /// Closes without calling `ended`.
   void drop();
+  /// Whether the robot closed the connection, rather than the network or this side.
+  bool wasClosedByRobot() const { return closedByRobot_; }
 
 private:
   using Socket = boost::asio::generic::stream_protocol::socket;
@@ -106,13 +109,14 @@ private:
   void readBody(std::uint8_t type, std::size_t size);
   void write();
   void end(const std::string& sentence);
+  void end(const boost::system::error_code& error, const std::string& sentence);
 
   const FrameFormat& format_;
   Callbacks calls_;
   Socket socket_;
   boost::asio::ip::tcp::resolver resolver_;
   boost::asio::steady_timer patience_;
-  bool open_ = true;
+  bool open_ = true, closedByRobot_ = false;
   std::string header_, body_;
   std::deque<std::string> queue_; // the front is being written
 };
@@ -173,7 +177,7 @@ void RobotSocket::readHeader() {
   header_.resize(format_.headerSize);
   boost::asio::async_read(socket_, boost::asio::buffer(header_), [self = shared_from_this()](Error error, std::size_t) {
     if (error) {
-      self->end("closed the connection");
+      self->end(error, "closed the connection");
       return;
     }
     const FrameHeader header = parseHeader(self->format_, self->header_, maxBodyBytes);
@@ -190,7 +194,7 @@ void RobotSocket::readBody(std::uint8_t type, std::size_t size) {
   boost::asio::async_read(socket_, boost::asio::buffer(body_),
                           [self = shared_from_this(), type](Error error, std::size_t) {
                             if (error) {
-                              self->end("closed the connection in the middle of a frame");
+                              self->end(error, "closed the connection in the middle of a frame");
                               return;
                             }
                             self->calls_.received(type, std::exchange(self->body_, {}));
@@ -211,7 +215,7 @@ void RobotSocket::write() {
   boost::asio::async_write(socket_, boost::asio::buffer(queue_.front()),
                            [self = shared_from_this()](Error error, std::size_t) {
                              if (error) {
-                               self->end("closed the connection");
+                               self->end(error, "closed the connection");
                                return;
                              }
                              self->queue_.pop_front();
@@ -226,6 +230,13 @@ void RobotSocket::end(const std::string& sentence) {
     drop();
     calls_.ended(sentence);
   }
+}
+
+void RobotSocket::end(const Error& error, const std::string& sentence) {
+  closedByRobot_ =
+      closedByRobot_ || (open_ && (error == boost::asio::error::eof || error == boost::asio::error::connection_reset ||
+                                   error == boost::asio::error::broken_pipe));
+  end(sentence);
 }
 
 void RobotSocket::drop() {
@@ -349,8 +360,8 @@ void RobotClient::Implementation::listen() {
 }
 
 void RobotClient::Implementation::ended(const std::string& why) {
-  if (missing_ == 0 && !isWelcome_) {
-    introduction_.clear(); // the robot rejected it
+  if (missing_ == 0 && !isWelcome_ && config_->wasClosedByRobot()) {
+    introduction_.clear(); // rejected; a network that fails does not mean that
   }
   missing_ = 2;
   debug_->drop();
