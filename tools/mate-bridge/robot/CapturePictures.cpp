@@ -98,11 +98,10 @@ bool CapturePictures::onImage(const std::string& camera, std::uint64_t timestamp
     pictures.clear(); // the robot was restarted
   }
   pictures.emplace_back(Seen{timestamp, std::make_shared<const std::string>(file)});
-  const bool changed = assignImages(camera);
   while (pictures.front().time + patient < timestamp) {
     pictures.pop_front();
   }
-  return changed;
+  return assignImages(camera);
 }
 
 Json CapturePictures::list() const {
