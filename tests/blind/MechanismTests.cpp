@@ -1,6 +1,6 @@
 #include "blind/NaoV6.hpp"
-#include "writer/Mechanism.hpp"
-#include "writer/Pictures.hpp"
+#include "world/Mechanism.hpp"
+#include "world/Pictures.hpp"
 #include "writer/Question.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-#include "writer/Pictures.hpp"
+#include "world/Pictures.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,6 +1,6 @@
 #include "SharedData.hpp"
 #include "blind/NaoV6.hpp"
-#include "writer/Skeleton.hpp"
+#include "world/Skeleton.hpp"
 
 #include <catch2/catch.hpp>
 #include <fstream>

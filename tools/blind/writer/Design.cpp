@@ -1,9 +1,9 @@
 #include "writer/Design.hpp"
 
+#include "world/Drawing.hpp"
+#include "world/Flaws.hpp"
+#include "world/RandomStream.hpp"
 #include "writer/Corruption.hpp"
-#include "writer/Drawing.hpp"
-#include "writer/Flaws.hpp"
-#include "writer/RandomStream.hpp"
 
 #include <array>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "writer/RandomStream.hpp"
+#include "world/RandomStream.hpp"
 #include "writer/SessionPlanner.hpp"
 
 #include <array>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "writer/Flaws.hpp"
+#include "world/Flaws.hpp"
+#include "world/RandomStream.hpp"
 #include "writer/Noncentrality.hpp"
-#include "writer/RandomStream.hpp"
 
 #include <optional>
 

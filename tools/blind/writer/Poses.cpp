@@ -1,6 +1,6 @@
 #include "writer/Poses.hpp"
 
-#include "writer/Pictures.hpp"
+#include "world/Pictures.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>

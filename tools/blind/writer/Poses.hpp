@@ -1,8 +1,8 @@
 #pragma once
 
-#include "writer/RandomStream.hpp"
-#include "writer/Session.hpp"
-#include "writer/Skeleton.hpp"
+#include "world/RandomStream.hpp"
+#include "world/Session.hpp"
+#include "world/Skeleton.hpp"
 
 #include <functional>
 #include <optional>

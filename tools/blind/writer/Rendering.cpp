@@ -1,6 +1,6 @@
 #include "writer/Rendering.hpp"
 
-#include "writer/Pictures.hpp"
+#include "world/Pictures.hpp"
 #include "writer/SetFile.hpp"
 
 #include <algorithm>

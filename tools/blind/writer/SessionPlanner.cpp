@@ -1,8 +1,8 @@
 #include "writer/SessionPlanner.hpp"
 
-#include "writer/Pictures.hpp"
+#include "world/Pictures.hpp"
+#include "world/RandomStream.hpp"
 #include "writer/Poses.hpp"
-#include "writer/RandomStream.hpp"
 
 #include <algorithm>
 #include <cmath>

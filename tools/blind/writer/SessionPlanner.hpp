@@ -1,7 +1,7 @@
 #pragma once
 
-#include "writer/RandomStream.hpp"
-#include "writer/Session.hpp"
+#include "world/RandomStream.hpp"
+#include "world/Session.hpp"
 
 #include <numbers>
 #include <optional>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "writer/Pictures.hpp"
+#include "world/Pictures.hpp"
 #include "writer/SessionPlanner.hpp"
 
 #include <nlohmann/json_fwd.hpp>

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "world/Drawing.hpp"
 #include "writer/Design.hpp"
-#include "writer/Drawing.hpp"
 
 #include <filesystem>
 

@@ -1,4 +1,4 @@
-#include "writer/Mechanism.hpp"
+#include "world/Mechanism.hpp"
 
 #include <algorithm>
 #include <cmath>

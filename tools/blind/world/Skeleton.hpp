@@ -1,7 +1,7 @@
 #pragma once
 
-#include "writer/Drawing.hpp"
-#include "writer/Flaws.hpp"
+#include "world/Drawing.hpp"
+#include "world/Flaws.hpp"
 
 namespace blind {
 

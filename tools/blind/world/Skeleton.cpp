@@ -1,4 +1,4 @@
-#include "writer/Skeleton.hpp"
+#include "world/Skeleton.hpp"
 
 #include <cmath>
 

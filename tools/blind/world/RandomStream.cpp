@@ -1,4 +1,4 @@
-#include "writer/RandomStream.hpp"
+#include "world/RandomStream.hpp"
 
 #include <bit>
 #include <cmath>

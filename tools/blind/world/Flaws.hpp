@@ -1,6 +1,6 @@
 #pragma once
 
-#include "writer/Drawing.hpp"
+#include "world/Drawing.hpp"
 
 #include <Eigen/Core>
 #include <array>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "writer/Session.hpp"
-#include "writer/Skeleton.hpp"
+#include "world/Session.hpp"
+#include "world/Skeleton.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "writer/Flaws.hpp"
+#include "world/Flaws.hpp"
 
 #include <algorithm>
 

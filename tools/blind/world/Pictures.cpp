@@ -1,6 +1,6 @@
-#include "writer/Pictures.hpp"
+#include "world/Pictures.hpp"
 
-#include "writer/Mechanism.hpp"
+#include "world/Mechanism.hpp"
 
 #include <algorithm>
 #include <cmath>

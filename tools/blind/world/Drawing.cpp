@@ -1,4 +1,4 @@
-#include "writer/Drawing.hpp"
+#include "world/Drawing.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
