@@ -116,65 +116,83 @@ void checkTogether(const Said& said) {
   } // "do-not-use" may have other causes, such as few poses
 }
 
-} // namespace
+/// A simulated robot: its name, and the options of simulate.
+struct Row {
+  const char* name;
+  const char* options;
+};
 
-TEST_CASE("all screens say the same about a set of captures", "[slow]") {
-  // Proves that terminal, files, reports and panel give the same verdict, sentence and numbers for each set of the
-  // table, and that calibration and diagnosis are consistent. Correctness is not tested.
-  struct Row {
-    const char* name;
-    const char* options; // options of simulate
-  };
-  const std::vector<Row> table{
-      {"sound", "--poses 16"},
-      {"sound again", "--poses 16 --seed 2"},
-      {"few poses", "--poses 5 --seed 3"},
-      {"heavy tails", "--poses 16 --heavy-tails --seed 4"},
-      {"false corners", "--poses 16 --gross-share 0.03 --seed 5"},
-      {"stiction", "--poses 16 --stiction-degrees 0.1 --seed 6"},
-      {"stiction at every approach",
-       "--poses 16 --samples 2 --repeat-kind reapproach --approach-stiction-degrees 0.1 --seed 7"},
-      {"gears that hardly hold", "--poses 12 --stiction-degrees 0.4 --seed 8"},
-      {"a soft knee", "--poses 16 --flaw elasticity@LKneePitch --seed 9"},
-      {"a loose hip", "--poses 16 --flaw hysteresis@LHipPitch --samples 2 --repeat-kind reapproach --seed 10"},
-      {"play under load", "--poses 16 --flaw gearPlay@LKneePitch --seed 11"},
-      {"a long thigh", "--poses 16 --flaw linkLength@thigh --seed 12"},
-      {"a small flaw", "--poses 16 --flaw elasticity@LAnklePitch --flaw-scale 0.2 --seed 13"},
-      {"shifted cameras", "--poses 16 --mount-millimetres 3 --seed 14"},
-      {"a board that was moved", "--poses 16 --displaced-board --seed 15"},
-      {"both feet", "--poses 12 --support both --seed 16"},
-      {"restood", "--poses 8 --samples 3 --repeat-kind restand --seed 17"},
-  };
+/// Proves that terminal, files, reports and panel give the same verdict, sentence and numbers for a set, and that
+/// calibration and diagnosis are consistent. Correctness is not tested.
+void compareScreens(const std::filesystem::path& set, const std::filesystem::path& folder) {
+  const Said said = saidAbout(set, folder);
+  checkResult(said);
+  checkDiagnosis(said);
+  checkTogether(said);
+}
+
+void compareScreens(const std::vector<Row>& rows) {
   const TemporaryFolder folder;
-  for (const Row& row : table) {
+  for (const Row& row : rows) {
     DYNAMIC_SECTION(row.name) {
       const auto set = folder.path() / "set";
       run(fmt::format("simulate '{}' {}", set.string(), row.options), folder.path() / "simulated.txt");
-      const Said said = saidAbout(set, folder.path());
-      checkResult(said);
-      checkDiagnosis(said);
-      checkTogether(said);
+      compareScreens(set, folder.path());
     }
   }
+}
+
+} // namespace
+
+// The same claim in several test cases, which run side by side.
+
+TEST_CASE("all screens say the same about robots that lack nothing", "[slow]") {
+  compareScreens({{"sound", "--poses 16"},
+                  {"sound again", "--poses 16 --seed 2"},
+                  {"few poses", "--poses 5 --seed 3"},
+                  {"heavy tails", "--poses 16 --heavy-tails --seed 4"},
+                  {"false corners", "--poses 16 --gross-share 0.03 --seed 5"},
+                  {"both feet", "--poses 12 --support both --seed 16"},
+                  {"restood", "--poses 8 --samples 3 --repeat-kind restand --seed 17"}});
+}
+
+TEST_CASE("all screens say the same about robots whose joints stop anywhere", "[slow]") {
+  compareScreens({{"stiction", "--poses 16 --stiction-degrees 0.1 --seed 6"},
+                  {"stiction at every approach",
+                   "--poses 16 --samples 2 --repeat-kind reapproach --approach-stiction-degrees 0.1 --seed 7"},
+                  {"gears that hardly hold", "--poses 12 --stiction-degrees 0.4 --seed 8"}});
+}
+
+TEST_CASE("all screens say the same about robots with a flaw", "[slow]") {
+  compareScreens(
+      {{"a soft knee", "--poses 16 --flaw elasticity@LKneePitch --seed 9"},
+       {"a loose hip", "--poses 16 --flaw hysteresis@LHipPitch --samples 2 --repeat-kind reapproach --seed 10"},
+       {"play under load", "--poses 16 --flaw gearPlay@LKneePitch --seed 11"},
+       {"a long thigh", "--poses 16 --flaw linkLength@thigh --seed 12"},
+       {"a small flaw", "--poses 16 --flaw elasticity@LAnklePitch --flaw-scale 0.2 --seed 13"}});
+}
+
+TEST_CASE("all screens say the same about sets whose set-up is wrong, and about rendered pictures", "[slow]") {
+  compareScreens({{"shifted cameras", "--poses 16 --mount-millimetres 3 --seed 14"},
+                  {"a board that was moved", "--poses 16 --displaced-board --seed 15"}});
   DYNAMIC_SECTION("rendered pictures") {
+    const TemporaryFolder folder;
     const auto set = folder.path() / "set";
     run(fmt::format("simulate '{}' --images --poses 8 --samples 2 --seed 18", set.string()), folder.path() / "s.txt");
     run(fmt::format("detect '{}'", set.string()), folder.path() / "detected.txt");
-    const Said said = saidAbout(set, folder.path());
-    checkResult(said);
-    checkDiagnosis(said);
-    checkTogether(said);
+    compareScreens(set, folder.path());
   }
+}
+
+TEST_CASE("all screens say the same about captures of other programs", "[slow]") {
+  const TemporaryFolder folder;
   for (const char* shared :
        {"nao-freiburg-2014/larm-train", "conformance-2/camera-shift-8mm", "conformance-2/spring-knee",
         "conformance-2/time-drift-head", "conformance-2/foot-slips-30mm", "conformance-2/eccentricity-twin",
         "conformance-2/small-elasticity", "conformance-2/readings-jitter-010deg"}) {
     DYNAMIC_SECTION(shared) {
       if (const auto set = sharedData(shared)) {
-        const Said said = saidAbout(*set, folder.path());
-        checkResult(said);
-        checkDiagnosis(said);
-        checkTogether(said);
+        compareScreens(*set, folder.path());
       }
     }
   }
