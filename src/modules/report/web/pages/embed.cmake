@@ -59,3 +59,5 @@ add_custom_command(
   DEPENDS ${CMAKE_CURRENT_LIST_DIR}/embed.cmake ${files}
   VERBATIM)
 target_sources(naocal_report PRIVATE ${output})
+# Compiled by itself: a change of a view compiles nothing else.
+set_source_files_properties(${output} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON)
