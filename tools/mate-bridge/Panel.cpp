@@ -47,9 +47,8 @@ struct Panel::Implementation {
                 },
                 [this](std::size_t panel, const std::string& text) { received(panel, text); }}},
         runner{context, findProgram("naocal"), [this](const std::string& json) { server.sendAll(makeMessage(json)); }},
-        start{context, options.recentFiles, startCalls()}, lookIn{std::move(options.lookIn)}, history{std::move(
-                                                                                                          options.runs),
-                                                                                                      historyCalls()} {
+        start{context, options.recentFiles, startCalls()}, lookIn{std::move(options.lookIn)},
+        history{std::move(options.runs), historyCalls()} {
     signals.async_wait([this](boost::system::error_code, int) { context.stop(); });
     for (const std::string& robot : options.robots) {
       robots.connect(robot);

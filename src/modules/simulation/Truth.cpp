@@ -1,4 +1,5 @@
 #include "simulation/Truth.hpp"
+
 #include "io/FileVersion.hpp"
 
 #include <nlohmann/json.hpp>

@@ -233,9 +233,10 @@ void RobotSocket::end(const std::string& sentence) {
 }
 
 void RobotSocket::end(const Error& error, const std::string& sentence) {
-  closedByRobot_ =
-      closedByRobot_ || (open_ && (error == boost::asio::error::eof || error == boost::asio::error::connection_reset ||
-                                   error == boost::asio::error::broken_pipe));
+  if (open_) {
+    closedByRobot_ = error == boost::asio::error::eof || error == boost::asio::error::connection_reset ||
+                     error == boost::asio::error::broken_pipe;
+  }
   end(sentence);
 }
 

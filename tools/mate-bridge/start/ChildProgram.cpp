@@ -7,12 +7,10 @@
 #include <boost/asio/posix/stream_descriptor.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <csignal>
-#include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <spawn.h>
-#include <sstream>
 #include <sys/types.h>
 #include <sys/wait.h>
 #include <unistd.h>
