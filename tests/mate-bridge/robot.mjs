@@ -59,6 +59,7 @@ const bytesOf = one => one.evaluate(async () => {
   return Promise.all(list.map(async ({src}) => Array.from(new Uint8Array(await crypto.subtle.digest("SHA-256", await (await fetch(src)).arrayBuffer()))).join("")));
 });
 const known = await bytesOf(page), wasBefore = await page.getByRole("row", {name: /headPitch/}).innerText();
+check(await page.evaluate(robot => fetch("taken/" + encodeURIComponent(robot + "/0/9999")).then(answer => answer.status), address) === 204, "a picture that went to another capture is absent, and no error");
 check(new Set(known).size === known.length, "captures have pictures of their own: " + new Set(known).size + " of " + known.length);
 await page.reload();
 await page.locator(".thumbnails img").first().waitFor();

@@ -117,7 +117,7 @@ struct Panel::Implementation {
     if (path.starts_with(taken)) {
       auto picture = robots.takenPicture(decodePercents(path.substr(taken.size())));
       return picture ? HttpReply{200, "application/octet-stream", std::move(*picture)}
-                     : plain(404, "Nobody saw this capture's picture.");
+                     : HttpReply{204, "application/octet-stream", {}}; // gone to a capture nearer in time
     }
     constexpr std::string_view made = "made/";
     if (path.starts_with(made)) {
