@@ -26,8 +26,8 @@ struct Scenery {
     board.link = link;
     BoardCorners seen{"A", {0, 3, 5, 9, 14, 18, 23}, std::vector<Eigen::Vector2d>(7, Eigen::Vector2d::Zero())};
     corners = packCorners(board, seen);
-    const bool onFloor = link == "floor";
-    view.emplace(robot, quantities, 0, *robot.linkIndex(onFloor ? "LSole" : link), onFloor, 1);
+    const bool inWorld = link == "floor";
+    view.emplace(robot, quantities, 0, *robot.linkIndex(inWorld ? "LSole" : link), inWorld, 1);
     modelState.boardScale(1) = 0.01;
     modelState.boardBow(1) = 0.004;
     placeBefore(1.1);

@@ -37,7 +37,7 @@ inline std::vector<Break> breaks() {
       {file, "/format", removed, {"top level", "\"format\"", "none"}},
       {file, "/format", "'naocal-result'", {"format: expected \"naocal-captures\"", "found \"naocal-result\""}},
       {file, "/version", removed, {"\"version\""}},
-      {file, "/version", "2", {"version: expected 1", "found 2"}},
+      {file, "/version", "3", {"version: expected", "found 3"}},
       {file, "/version", "'1'", {"version: expected a whole number from 1", "found \"1\""}},
       {file, "/robot", removed, {"\"robot\""}},
       {file, "/robot", "'V6'", {"robot: expected an object", "\"V6\""}},

@@ -1,4 +1,5 @@
 #include "GoodSet.hpp"
+#include "RoundTrip.hpp"
 #include "SharedData.hpp"
 #include "data/CaptureSetFile.hpp"
 
@@ -12,28 +13,6 @@ namespace naocal {
 namespace {
 
 using nlohmann::json;
-
-CaptureSet read(const json& document) {
-  return parseCaptureSet(document.dump(), "set").set;
-}
-
-json written(const CaptureSet& set) {
-  return json::parse(formatCaptureSet(set));
-}
-
-/// Whether `copy` contains everything in `original`; it may contain additional defaults.
-bool holds(const json& copy, const json& original) {
-  if (original.is_object()) {
-    return copy.is_object() && std::all_of(original.items().begin(), original.items().end(), [&](const auto& item) {
-             return copy.contains(item.key()) && holds(copy[item.key()], item.value());
-           });
-  }
-  if (original.is_array()) {
-    return copy.is_array() && copy.size() == original.size() &&
-           std::equal(copy.begin(), copy.end(), original.begin(), holds);
-  }
-  return copy == original;
-}
 
 } // namespace
 

@@ -13,8 +13,9 @@ namespace {
 
 struct Instance {
   explicit Instance(const std::string& model)
-      : robot{loadRobot(configurationDirectory(), model)}, drawn{nominalState(
-                                                               robot, {robot.joints.size(), robot.lengths.size(), 1})} {
+      : robot{loadRobot(configurationDirectory(), model)},
+        drawn{nominalState(robot,
+                           {robot.joints.size(), robot.lengths.size(), 1, {.trackers = 1, .hasLinkSteps = true}})} {
     drawn.lens() << 590, 600, 320, 240, 0.01, 0, 0, 0, 0;
     const auto joints = static_cast<Eigen::Index>(robot.joints.size());
     instant.time = Seconds{100};
@@ -23,6 +24,7 @@ struct Instance {
     instant.velocity = instant.approach = instant.temperature = instant.current = instant.q;
     instant.torque = 0.1 * instant.q;
     instant.torqueGrowth = 2 * instant.q;
+    instant.lateralTorque = Eigen::Matrix2Xd::Constant(2, joints, 0.2);
     instant.com = {0.02, 0.03};
     instant.imu = {0.01, -0.02};
     instant.leftLoad = 1;

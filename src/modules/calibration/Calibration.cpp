@@ -4,6 +4,7 @@
 #include "calibration/ModelUncertainty.hpp"
 #include "calibration/NoiseEstimation.hpp"
 #include "calibration/Outliers.hpp"
+#include "calibration/ReadingNoise.hpp"
 #include "calibration/Uncertainty.hpp"
 #include "calibration/Verdict.hpp"
 
@@ -23,10 +24,16 @@ struct NoiseConsistentFit {
   std::optional<MissingEffectAnalysis> explained;
 };
 
-/// Sets the pixel noise: from repeats, else from the residuals within pictures, unless the user gave it. Returns
-/// whether it came from repeats.
-bool estimatePixelNoise(const Measurements& measurements, const Model& model, const Fit& fit,
-                        const CalibrationOptions& options, Noise& noise) {
+/// Sets the noise of readings that the sets do not give, and the pixel noise: from repeats, else from the residuals
+/// within pictures, unless the user gave it. Returns whether that came from repeats, or there are no pictures.
+bool estimateMeasurementNoise(const Measurements& measurements, const Model& model, const Fit& fit,
+                              const CalibrationOptions& options, Noise& noise) {
+  if (measurements.witnessCount > 0) {
+    noise = estimateReadingNoise(measurements, model, fit, std::move(noise), options.effects);
+  }
+  if (measurements.cornerCount == 0) {
+    return true; // there are no pixels to tell from scatter
+  }
   const Residuals residuals{measurements, model, fit.noise, fit.loss};
   const std::vector<BoardResidual> observations = residuals.boardResiduals(fit.minimum.state);
   if (const auto repeats = estimatePixelNoiseFromRepeats(measurements, observations)) {
@@ -62,7 +69,7 @@ NoiseConsistentFit fitWithNoise(const Measurements& measurements, const Model& m
       fitFurther(measurements, model, options, options.noise, std::move(fit)), {options.noise}, false, {}};
   if (options.estimateNoise) {
     for (int round = 0; round < 2; ++round) {
-      answer.fromRepeats = estimatePixelNoise(measurements, model, answer.fit, options, answer.levels.noise);
+      answer.fromRepeats = estimateMeasurementNoise(measurements, model, answer.fit, options, answer.levels.noise);
       answer.fit = fitFurther(measurements, model, options, answer.levels.noise, std::move(answer.fit));
     }
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "calibration/ReadingErrors.hpp"
 #include "effects/Catalogue.hpp"
 #include "estimation/Residuals.hpp"
 #include "inference/NoiseLevels.hpp"
@@ -113,7 +114,8 @@ struct CalibrationResult {
   Noise noise;                                   // before scaling by `sigmaScale`
   std::string noiseSource; // "repeats", else "configured", also where pixel noise was estimated within pictures
   Loss loss;
-  double rmsPx = 0, medianPx = 0; // corner distances, joint angles as read [px]
+  double rmsPx = 0, medianPx = 0; // corner distances, joint angles as read [px]; without corners `collectDistances`
+  ReadingErrors readings;         // other measurements, joint angles as read
   double noiseFloorPx = 0;        // expected rms distance under noise alone [px]
   double chi2 = 0, dof = 0;
   double pValue = 1;                     // probability that pure noise shows evidence this strong for a missing effect

@@ -1,6 +1,7 @@
 #include "calibration/Fit.hpp"
 
 #include "calibration/Initialization.hpp"
+#include "calibration/ReadingErrors.hpp"
 #include "inference/NoiseLevels.hpp"
 
 #include <algorithm>
@@ -79,6 +80,9 @@ double spreadOf(const std::vector<BoardResidual>& observations, const Quantile& 
       distances.push_back(std::isfinite(distance) ? distance : std::numeric_limits<double>::infinity());
     }
   }
+  if (distances.empty()) {
+    return 0;
+  }
   const auto there =
       distances.begin() + static_cast<std::ptrdiff_t>(quantile.share * static_cast<double>(distances.size()));
   std::nth_element(distances.begin(), there, distances.end());
@@ -133,7 +137,7 @@ InputError behindCameraError() {
 
 Fit fitInitially(const Measurements& measurements, const Model& model, const Noise& noise,
                  const CalibrationOptions& options) {
-  if (measurements.cornerCount == 0) {
+  if (measurements.cornerCount + measurements.witnessCount == 0) {
     throw InputError{
         "these captures show no corner that a camera could learn from: run 'naocal detect', or check which "
         "boards, links and support feet the file names"};
@@ -170,7 +174,7 @@ Fit fitInitially(const Measurements& measurements, const Model& model, const Noi
 double rmsAsReported(const Measurements& measurements, const Model& model, const Fit& fit) {
   const Residuals residuals{measurements, model, fit.noise, fit.loss};
   const auto asRead = residuals.startState(fit.minimum.state.unknowns);
-  return summarizeDistances(collectDistances(residuals.boardResiduals(asRead))).rmsPx;
+  return summarizeDistances(collectDistances(residuals, asRead)).rmsPx;
 }
 
 Fit refit(const Measurements& measurements, const Model& model, const Noise& noise, const Loss& loss, Fit from,

@@ -285,7 +285,7 @@ std::map<StanceAndBoard, OnFloor> locateBoards(const Measurements& measurements,
     const ModelState modelState = predictState(measurements, model, picture, unknowns);
     for (const BoardObservation& observation : picture.observations) {
       const std::size_t board = observation.view.board();
-      if (measurements.targets[board].onFloor) {
+      if (measurements.targets[board].isFlat) {
         auto& views = estimateBoardPose(observation.corners, modelState.lens()) ? observations : glimpses;
         views[{picture.stance, board}].push_back(soleFromBoard(measurements, modelState, observation));
       }
@@ -315,7 +315,7 @@ Placements knownBoards(const Measurements& measurements) {
   Placements boards(measurements.targets.size());
   for (std::size_t board = 0; !measurements.pictures.empty() && board < boards.size(); ++board) {
     const Target& target = measurements.targets[board];
-    if (target.onFloor && (!target.unknown || target.board.hasGuess)) {
+    if (target.isFlat && (!target.unknown || target.board.hasGuess)) {
       const auto placement = measurements.pictures.back().nominal.boardPlacement(board);
       boards[board] = OnFloor{placement[0], placement[1], placement[5]};
     }
@@ -360,8 +360,16 @@ Eigen::VectorXd initializePlacements(const Measurements& measurements, const Mod
       continue;
     }
     const bool isBoard = term.effect.placeKind == PlaceKind::board;
-    if (isBoard &&
-        (!measurements.targets[term.placeIndex].onFloor || measurements.targets[term.placeIndex].board.hasGuess)) {
+    const bool isOnFloor =
+        isBoard ? measurements.targets[term.placeIndex].isFlat && !measurements.targets[term.placeIndex].board.hasGuess
+                : term.effect.placeKind == PlaceKind::stance && measurements.stances[term.placeIndex].isFlat;
+    if (term.effect.placeKind == PlaceKind::marker) {
+      const MarkerInstance& marker = measurements.instruments.markers[term.placeIndex];
+      result.segment<3>(static_cast<Eigen::Index>(term.first)) = marker.start - marker.marker.pointGuess;
+    } else if (term.effect.placeKind == PlaceKind::place) {
+      result.segment<3>(static_cast<Eigen::Index>(term.first)) = measurements.instruments.places[term.placeIndex].start;
+    }
+    if (!isOnFloor) {
       continue; // starts from its guess
     }
     const auto& placement = isBoard ? boards[term.placeIndex] : stances[term.placeIndex];

@@ -104,17 +104,17 @@ Prediction preparePrediction(const Model& model, const StoredResult& result, con
       continue;
     }
     const bool isBoard = term.effect.placeKind == PlaceKind::board;
-    const bool onFloor = !isBoard || measurements.targets[term.placeIndex].onFloor;
+    const bool inWorld = !isBoard || measurements.targets[term.placeIndex].inWorld;
     const auto& known = isBoard ? result.boards : result.stances;
     const auto placement = known.find(term.placeName);
-    if (placement != known.end() && (samePlace || !onFloor)) {
+    if (placement != known.end() && (samePlace || !inWorld)) {
       const ModelState& drawn = measurements.pictures.front().nominal;
       const Eigen::Matrix<double, 6, 1> start = isBoard
                                                     ? Eigen::Matrix<double, 6, 1>{drawn.boardPlacement(term.placeIndex)}
                                                     : Eigen::Matrix<double, 6, 1>::Zero();
       placeAt(term, start, placement->second, all.unknowns);
     } else {
-      std::fill_n(all.free.begin() + static_cast<std::ptrdiff_t>(term.first), term.effect.unknowns.size(), onFloor);
+      std::fill_n(all.free.begin() + static_cast<std::ptrdiff_t>(term.first), term.effect.unknowns.size(), inWorld);
     }
   }
   return all;

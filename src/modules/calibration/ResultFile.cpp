@@ -136,11 +136,70 @@ json effectsJson(const Model& model, const CalibrationResult& result) {
   return effects;
 }
 
-json placementJson(const Eigen::Matrix<double, 6, 1>& p, bool onFloor) {
-  if (onFloor) {
+json placementJson(const Eigen::Matrix<double, 6, 1>& p, bool isFlat) {
+  if (isFlat) {
     return {{"x", p[0]}, {"y", p[1]}, {"yaw", p[5]}};
   }
   return {{"x", p[0]}, {"y", p[1]}, {"z", p[2]}, {"roll", p[3]}, {"pitch", p[4]}, {"yaw", p[5]}};
+}
+
+bool isIdentity(const RigidTransform& transform) {
+  return transform.rotation == Eigen::Matrix3d::Identity() && transform.translation == Eigen::Vector3d::Zero();
+}
+
+/// A placement that counts from a reference, in the frame that the reference is in.
+Eigen::Matrix<double, 6, 1> fromReference(const RigidTransform& reference, const Eigen::Matrix<double, 6, 1>& p) {
+  return isIdentity(reference) ? p : placementFromTransform(reference * transformFromPlacement(p));
+}
+
+/// worldFromMount of a camera beside the robot, in the axes that its set names.
+Eigen::Matrix<double, 6, 1> cameraPlacement(const Measurements& measurements, std::size_t camera,
+                                            const ModelState& modelState) {
+  const CameraMount& mount = measurements.robot.cameras[camera];
+  const bool isOptical = measurements.sets->front().mountings.at(mount.name).isOptical;
+  return placementFromTransform(isOptical ? linkFromOptical(mount, modelState) : linkFromCamera(mount, modelState));
+}
+
+/// Placements of cameras beside the robot, instruments and what they measure; only what there is.
+void addInstrumentPlacements(const FittedModel& fitted, json& placements) {
+  const Measurements& measurements = fitted.measurements;
+  const ModelState modelState =
+      predictState(measurements, fitted.model, measurements.pictures.front(), fitted.fit.unknowns);
+  for (const ImageObservation& picture : measurements.pictures) {
+    if (picture.camera != ImageObservation::noCamera && measurements.robot.cameras[picture.camera].inWorld) {
+      placements["cameras"][measurements.robot.cameras[picture.camera].name] =
+          placementJson(cameraPlacement(measurements, picture.camera,
+                                        predictState(measurements, fitted.model, picture, fitted.fit.unknowns)),
+                        false);
+    }
+  }
+  const InstrumentList& all = measurements.instruments;
+  const auto pointJson = [](const Eigen::Vector3d& point) { return json{point.x(), point.y(), point.z()}; };
+  for (std::size_t i = 0; i < all.trackers.size(); ++i) {
+    placements["trackers"][all.trackers[i].name] =
+        placementJson(fromReference(all.trackers[i].reference, modelState.trackerPlacement(i)), false);
+  }
+  for (std::size_t i = 0; i < all.markers.size(); ++i) {
+    placements["markers"][all.markers[i].name] = pointJson(modelState.marker(i));
+  }
+  for (std::size_t i = 0; i < all.frames.size(); ++i) {
+    placements["frames"][all.frames[i].name] =
+        placementJson(fromReference(all.frames[i].reference, modelState.framePlacement(i)), false);
+  }
+  for (std::size_t i = 0; i < all.places.size(); ++i) {
+    placements["places"][all.places[i].name] = pointJson(modelState.place(i));
+  }
+}
+
+/// Noise of readings by instrument, and whether the set gave it or it was estimated.
+json readingNoiseJson(const Measurements& measurements, const Noise& noise) {
+  json result = json::object();
+  for (std::size_t i = 0; i < measurements.levels.size(); ++i) {
+    const ReadingLevel& level = measurements.levels[i];
+    result[level.name][level.unit == ReadingLevel::Unit::metres ? "metres" : "radians"] = {
+        {"sigma", sigmaOf(measurements, noise, i)}, {"source", level.isGiven ? "given" : "estimated"}};
+  }
+  return result;
 }
 
 json placementsJson(const FittedModel& fitted) {
@@ -149,13 +208,19 @@ json placementsJson(const FittedModel& fitted) {
     const ModelState modelState = predictState(fitted.measurements, fitted.model, picture, fitted.fit.unknowns);
     for (const BoardObservation& observation : picture.observations) {
       const Target& target = fitted.measurements.targets[observation.view.board()];
-      boards[target.name] = placementJson(modelState.boardPlacement(observation.view.board()), target.onFloor);
-      if (target.onFloor) {
-        stances[fitted.measurements.stances[picture.stance].name] = placementJson(modelState.worldFromSupport(), true);
+      boards[target.name] = placementJson(
+          fromReference(target.reference, modelState.boardPlacement(observation.view.board())), target.isFlat);
+      if (target.inWorld) {
+        const StanceInstance& stance = fitted.measurements.stances[picture.stance];
+        stances[stance.name] = placementJson(modelState.worldFromSupport(), stance.isFlat);
       }
     }
   }
-  return {{"boards", std::move(boards)}, {"stances", std::move(stances)}};
+  json placements{{"boards", std::move(boards)}, {"stances", std::move(stances)}};
+  if (fitted.measurements.quantities.scene().hasLinkSteps || fitted.measurements.witnessCount > 0) {
+    addInstrumentPlacements(fitted, placements);
+  }
+  return placements;
 }
 
 /// Standard errors of the estimated placements, keyed by "boardPlacement@A".
@@ -295,50 +360,56 @@ json resultJson(const FittedModel& fitted, const ResultSources& inputs) {
       terms.push_back(term.label());
     }
   }
-  return withFormat(
-      "naocal-result",
-      {{"converged", fitted.fit.converged},
-       {"verdict", toString(fitted.fit.verdict)},
-       {"usable", fitted.fit.usable},
-       {"sentence", fitted.fit.sentence},
-       {"warnings", toSentences(fitted.fit.warnings)},
-       {"rmsPx", fitted.fit.rmsPx},
-       {"medianPx", fitted.fit.medianPx},
-       {"noiseFloorPx", fitted.fit.noiseFloorPx},
-       {"chi2", fitted.fit.chi2},
-       {"dof", fitted.fit.dof},
-       {"pValue", fitted.fit.pValue},
-       {"sigmaScale", fitted.fit.sigmaScale},
-       {"misfit", fitted.fit.misfit},
-       {"misfitLeft", fitted.fit.misfitLeft},
-       {"explanations", explanationsJson(fitted.fit)},
-       {"corners", fitted.measurements.cornerCount},
-       {"captures", fitted.measurements.pictures.size()},
-       {"noise",
-        {{"pixel", fitted.fit.noise.pixel},
-         {"encoder", fitted.fit.noise.encoder},
-         {"pose", fitted.fit.noise.pose},
-         {"stance", fitted.fit.noise.stance},
-         {"reapproach", fitted.fit.noise.reapproach},
-         {"pixelAlike", fitted.fit.noise.pixelAlike},
-         {"jitter", jitterOf(fitted.measurements)},
-         {"source", fitted.fit.noiseSource}}},
-       {"effects", effectsJson(fitted.model, fitted.fit)},
-       {"placements", placementsJson(fitted)},
-       {"placementSigmas", placementSigmasJson(fitted.model, fitted.fit)},
-       {"weak", weakJson(fitted.fit)},
-       {"doubtful", outliersJson(fitted.measurements, fitted.fit)},
-       {"floorErrorAt2m", fitted.fit.floorErrorAt2m},
-       {"iterations", fitted.fit.iterations},
-       {"restarts", {{"tried", fitted.fit.restartsTried}, {"changedTheAnswer", fitted.fit.restartsChanged}}},
-       {"seconds", fitted.fit.seconds},
-       {"inputs", toJson(inputs)},
-       {"model",
-        {{"robot", fitted.measurements.robot.model},
-         {"terms", std::move(terms)},
-         {"define", definitions(fitted.model)}}},
-       {"cameras", camerasJson(*fitted.measurements.sets)},
-       {"sightings", residualsJson(fitted.measurements, fitted.fit)}});
+  const bool hasCorners = fitted.measurements.cornerCount > 0;
+  json result =
+      withFormat("naocal-result",
+                 {{"converged", fitted.fit.converged},
+                  {"verdict", toString(fitted.fit.verdict)},
+                  {"usable", fitted.fit.usable},
+                  {"sentence", fitted.fit.sentence},
+                  {"warnings", toSentences(fitted.fit.warnings)},
+                  {"rmsPx", hasCorners ? fitted.fit.rmsPx : 0},
+                  {"medianPx", hasCorners ? fitted.fit.medianPx : 0},
+                  {"noiseFloorPx", fitted.fit.noiseFloorPx},
+                  {"chi2", fitted.fit.chi2},
+                  {"dof", fitted.fit.dof},
+                  {"pValue", fitted.fit.pValue},
+                  {"sigmaScale", fitted.fit.sigmaScale},
+                  {"misfit", fitted.fit.misfit},
+                  {"misfitLeft", fitted.fit.misfitLeft},
+                  {"explanations", explanationsJson(fitted.fit)},
+                  {"corners", fitted.measurements.cornerCount},
+                  {"captures", fitted.measurements.pictures.size()},
+                  {"noise",
+                   {{"pixel", fitted.fit.noise.pixel},
+                    {"encoder", fitted.fit.noise.encoder},
+                    {"pose", fitted.fit.noise.pose},
+                    {"stance", fitted.fit.noise.stance},
+                    {"reapproach", fitted.fit.noise.reapproach},
+                    {"pixelAlike", fitted.fit.noise.pixelAlike},
+                    {"jitter", jitterOf(fitted.measurements)},
+                    {"source", fitted.fit.noiseSource}}},
+                  {"effects", effectsJson(fitted.model, fitted.fit)},
+                  {"placements", placementsJson(fitted)},
+                  {"placementSigmas", placementSigmasJson(fitted.model, fitted.fit)},
+                  {"weak", weakJson(fitted.fit)},
+                  {"doubtful", outliersJson(fitted.measurements, fitted.fit)},
+                  {"floorErrorAt2m", fitted.fit.floorErrorAt2m},
+                  {"iterations", fitted.fit.iterations},
+                  {"restarts", {{"tried", fitted.fit.restartsTried}, {"changedTheAnswer", fitted.fit.restartsChanged}}},
+                  {"seconds", fitted.fit.seconds},
+                  {"inputs", toJson(inputs)},
+                  {"model",
+                   {{"robot", fitted.measurements.robot.model},
+                    {"terms", std::move(terms)},
+                    {"define", definitions(fitted.model)}}},
+                  {"cameras", camerasJson(*fitted.measurements.sets)},
+                  {"sightings", residualsJson(fitted.measurements, fitted.fit)}});
+  if (fitted.measurements.witnessCount > 0) {
+    result.update(toJson(fitted.fit.readings));
+    result["noise"]["readings"] = readingNoiseJson(fitted.measurements, fitted.fit.noise);
+  }
+  return result;
 }
 
 } // namespace naocal

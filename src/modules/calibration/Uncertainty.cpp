@@ -1,5 +1,6 @@
 #include "calibration/Uncertainty.hpp"
 
+#include "calibration/ReadingErrors.hpp"
 #include "calibration/Wording.hpp"
 #include "estimation/DriverState.hpp"
 #include "inference/NoiseLevels.hpp"
@@ -23,7 +24,7 @@ namespace {
 const BoardObservation* findFloorBoard(const ImageObservation& picture, const Measurements& measurements) {
   const auto found =
       std::find_if(picture.observations.begin(), picture.observations.end(),
-                   [&](const BoardObservation& s) { return measurements.targets[s.view.board()].onFloor; });
+                   [&](const BoardObservation& s) { return measurements.targets[s.view.board()].isFlat; });
   return found == picture.observations.end() ? nullptr : &*found;
 }
 
@@ -136,12 +137,16 @@ Estimate estimate(double value, double variance, double relativeSpread, double p
 /// Corner distances from the prediction at the joint angles as read, without deflections.
 void measureDistances(const Residuals& residuals, const Fit& fit, CalibrationResult& result) {
   result.withReportedAngles = residuals.boardResiduals(residuals.startState(result.unknowns));
-  const ResidualSummary summary = summarizeDistances(collectDistances(result.withReportedAngles));
+  const Residuals::State asRead = residuals.startState(result.unknowns);
+  const ResidualSummary summary = summarizeDistances(collectDistances(residuals, asRead));
   if (!std::isfinite(summary.rmsPx)) { // the fit's deflections were feasible, zero deflections are not
     throw behindCameraError();
   }
   result.rmsPx = summary.rmsPx;
   result.medianPx = summary.medianPx;
+  if (residuals.measurements().witnessCount > 0) {
+    result.readings = summarizeReadings(residuals.measurements(), residuals.witnessResiduals(asRead));
+  }
   result.residuals = residuals.boardResiduals(fit.minimum.state);
 }
 

@@ -51,6 +51,10 @@ double rmsWithoutMoved(const CalibrationResult& result) {
 
 /// For example "the error is 4.49 px, the noise floor 0.65 px".
 std::string formatSizes(const CalibrationResult& result, const DisplacedBoardCount& displaced) {
+  if (!result.readings.empty() && result.residuals.empty()) {
+    return fmt::format("the error is {}, {:.1f} times what noise explains", formatSizes(result.readings),
+                       result.rmsPx / result.noiseFloorPx);
+  }
   return fmt::format("{}the error is {:.2f} px, the noise floor {:.2f} px",
                      displaced.any() ? words(displaced) + "; without " + (displaced.moved == 1 ? "it " : "them ")
                                      : std::string{},

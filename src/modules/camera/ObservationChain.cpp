@@ -9,31 +9,6 @@ namespace naocal {
 
 namespace {
 
-using Twist = Eigen::Matrix<double, 6, 1>;
-
-inline Twist twistAbout(const Eigen::Vector3d& axisInOptical, const Eigen::Vector3d& pivotInOptical) {
-  Twist twist; // p moves by omega x (p - pivot) = omega x p + pivot x omega
-  twist.head<3>() = axisInOptical;
-  twist.tail<3>() = pivotInOptical.cross(axisInOptical);
-  return twist;
-}
-
-/// Motion of points fixed in a frame placed by (x, y, z, roll, pitch, yaw), per unit of the placement's component
-/// `number`.
-Twist placementMotion(const RigidTransform& opticalFromParent, const Twist& placement, std::size_t number) {
-  Twist twist = Twist::Zero();
-  if (number < 3) {
-    twist.tail<3>() = opticalFromParent.rotation.col(static_cast<Eigen::Index>(number));
-    return twist;
-  }
-  // parentFromFrame = T Rz(yaw) Ry(pitch) Rx(roll)
-  const double pitch = placement[4], yaw = placement[5];
-  const Eigen::Vector3d axis = number == 3   ? rotationZ(yaw) * rotationY(pitch).col(0)
-                               : number == 4 ? Eigen::Vector3d{-std::sin(yaw), std::cos(yaw), 0}
-                                             : Eigen::Vector3d::UnitZ();
-  return twistAbout(opticalFromParent.rotation * axis, opticalFromParent * Eigen::Vector3d{placement.head<3>()});
-}
-
 /// Displacement of four corners in the picture per unit of an extra [px].
 struct CornerShift {
   Double4 u{}, v{};
@@ -97,8 +72,11 @@ CornerShift shiftByBoard(std::size_t extra, const Eigen::Matrix3d& r, const Corn
 } // namespace
 
 ObservationChain::ObservationChain(const Robot& robot, const StateLayout& quantities, std::size_t camera,
-                                   std::size_t targetLink, bool onFloor, std::size_t board)
-    : ObservationChain{robot, quantities, camera, robot.cameras[camera].link, targetLink, onFloor, board} {}
+                                   std::size_t targetLink, bool inWorld, std::size_t board,
+                                   std::optional<std::size_t> support)
+    : ObservationChain{
+          robot,   quantities, std::optional{camera}, support.value_or(robot.cameras[camera].link), targetLink,
+          inWorld, board} {}
 
 ObservationChain ObservationChain::betweenLinks(const Robot& robot, const StateLayout& quantities, std::size_t eyeLink,
                                                 std::size_t sole) {
@@ -106,9 +84,9 @@ ObservationChain ObservationChain::betweenLinks(const Robot& robot, const StateL
 }
 
 ObservationChain::ObservationChain(const Robot& robot, const StateLayout& quantities, std::optional<std::size_t> camera,
-                                   std::size_t eyeLink, std::size_t targetLink, bool onFloor, std::size_t board)
-    : quantities_{quantities}, camera_{camera}, eye_{eyeLink}, target_{targetLink}, board_{board}, onFloor_{onFloor},
-      side_(robot.links.size(), 0) {
+                                   std::size_t eyeLink, std::size_t targetLink, bool inWorld, std::size_t board)
+    : quantities_{quantities}, camera_{camera}, eye_{eyeLink}, target_{targetLink}, board_{board}, inWorld_{inWorld},
+      eyeInWorld_{camera && robot.cameras[*camera].inWorld}, side_(robot.links.size(), 0) {
   links_ = ancestorLinks(robot, {eyeLink, targetLink});
   for (std::optional<std::size_t> link = eyeLink; link; link = robot.links[*link].parent) {
     side_[*link] -= 1;
@@ -127,14 +105,27 @@ CameraFrames ObservationChain::pathFrames(const Robot& robot, const ModelState& 
                                           const LinkPoses& torsoFromLink) const {
   const RigidTransform linkFromEye = camera_ ? linkFromOptical(robot.cameras[*camera_], modelState) : RigidTransform{};
   CameraFrames result;
+  if (eyeInWorld_) {
+    result.opticalFromWorld = linkFromEye.inverse();
+    result.opticalFromTorso =
+        result.opticalFromWorld * transformFromPlacement(modelState.worldFromSupport()) * torsoFromLink[eye_].inverse();
+    result.opticalFromTarget = result.opticalFromTorso * torsoFromLink[target_];
+    return result;
+  }
   result.opticalFromTorso = (torsoFromLink[eye_] * linkFromEye).inverse();
   result.opticalFromTarget = result.opticalFromTorso * torsoFromLink[target_];
   result.opticalFromWorld = result.opticalFromTarget * transformFromPlacement(modelState.worldFromSupport()).inverse();
   return result;
 }
 
+/// opticalFromParent of the frame that the board's placement counts from.
+RigidTransform ObservationChain::boardParent(const CameraFrames& attitude) const {
+  const RigidTransform& parent = inWorld_ ? attitude.opticalFromWorld : attitude.opticalFromTarget;
+  return reference_ ? parent * *reference_ : parent;
+}
+
 void ObservationChain::placeBoard(const RigidTransform& linkFromBoard, CameraFrames& attitude) const {
-  attitude.opticalFromBoard = (onFloor_ ? attitude.opticalFromWorld : attitude.opticalFromTarget) * linkFromBoard;
+  attitude.opticalFromBoard = boardParent(attitude) * linkFromBoard;
 }
 
 CameraFrames ObservationChain::cameraFrames(const Robot& robot, const ModelState& modelState,
@@ -225,9 +216,8 @@ std::optional<std::size_t> ObservationChain::extraIndex(std::size_t quantity) co
 }
 
 /// Angles, axes and lengths move what lies beyond the link; a link that carries the camera moves the scene backwards.
-ObservationChain::Twist ObservationChain::linkMotion(const Robot& robot, const CameraFrames& attitude,
-                                                     const ModelState& modelState, const LinkPoses& torsoFromLink,
-                                                     std::size_t quantity) const {
+Twist ObservationChain::linkMotion(const Robot& robot, const CameraFrames& attitude, const ModelState& modelState,
+                                   const LinkPoses& torsoFromLink, std::size_t quantity) const {
   if (quantity >= quantities_.length(0)) {
     Twist sum = Twist::Zero();
     const std::size_t length = quantity - quantities_.length(0);
@@ -271,9 +261,39 @@ ObservationChain::Twist ObservationChain::linkMotion(const Robot& robot, const C
                     attitude.opticalFromTorso * torsoFromThis.translation);
 }
 
+/// The step to a joint moves what lies beyond it: along and about the axes of the joint's frame before its own motion.
+Twist ObservationChain::linkStepMotion(const Robot& robot, const CameraFrames& attitude, const ModelState& modelState,
+                                       const LinkPoses& torsoFromLink, std::size_t joint, std::size_t number) const {
+  const std::size_t link = robot.joints[joint].link;
+  Twist twist = Twist::Zero();
+  if (side_[link] == 0) {
+    return twist;
+  }
+  Eigen::Matrix3d opticalFromDrawn = attitude.opticalFromTorso.rotation;
+  if (robot.links[link].parent) {
+    opticalFromDrawn *= torsoFromLink[*robot.links[link].parent].rotation;
+  }
+  if (robot.links[link].rotation) {
+    opticalFromDrawn *= *robot.links[link].rotation;
+  }
+  if (number < 3) {
+    twist.tail<3>() = side_[link] * opticalFromDrawn.col(static_cast<Eigen::Index>(number));
+    return twist;
+  }
+  const auto step = modelState.linkStep(joint);
+  const Eigen::Matrix3d first = rotationX(step[3]), second = first * rotationY(step[4]);
+  const Eigen::Vector3d axis = number == 3   ? Eigen::Vector3d::UnitX()
+                               : number == 4 ? Eigen::Vector3d{first.col(1)}
+                                             : Eigen::Vector3d{second.col(2)};
+  Eigen::Vector3d pivot = torsoFromLink[link].translation;
+  if (robot.joints[joint].isPrismatic) {
+    pivot -= torsoFromLink[link].rotation * modelState.axis(joint) * modelState.angle(joint);
+  }
+  return twistAbout(side_[link] * (opticalFromDrawn * axis), attitude.opticalFromTorso * pivot);
+}
+
 /// A motion of the camera in its link moves the scene in the opposite direction.
-ObservationChain::Twist ObservationChain::mountMotion(const Robot& robot, const ModelState& modelState,
-                                                      std::size_t number) const {
+Twist ObservationChain::mountMotion(const Robot& robot, const ModelState& modelState, std::size_t number) const {
   const CameraMount& mount = robot.cameras[*camera_];
   const Eigen::Matrix3d opticalFromLink = linkFromOptical(mount, modelState).rotation.transpose();
   Twist twist = Twist::Zero();
@@ -320,13 +340,17 @@ void ObservationChain::fillMotionColumns(const Robot& robot, const CameraFrames&
       assert(row != extras.end());
       column[6 + (row - extras.begin())] = 1;
     } else if (quantity >= quantities_.worldFromSupport() && quantity < quantities_.worldFromSupport() + 6 &&
-               onFloor_) {
-      // the sole moves in the world, so the world moves backwards in the sole
-      column.head<6>() = -placementMotion(attitude.opticalFromWorld, modelState.worldFromSupport(),
-                                          quantity - quantities_.worldFromSupport());
+               inWorld_ != eyeInWorld_) {
+      // the support moves in the world, so the world moves backwards in the support
+      const double direction = eyeInWorld_ ? 1 : -1;
+      column.head<6>() = direction * placementMotion(attitude.opticalFromWorld, modelState.worldFromSupport(),
+                                                     quantity - quantities_.worldFromSupport());
     } else if (camera_ && quantity >= quantities_.board(board_) && quantity < quantities_.board(board_) + 6) {
-      column.head<6>() = placementMotion(onFloor_ ? attitude.opticalFromWorld : attitude.opticalFromTarget,
-                                         modelState.boardPlacement(board_), quantity - quantities_.board(board_));
+      column.head<6>() = placementMotion(boardParent(attitude), modelState.boardPlacement(board_),
+                                         quantity - quantities_.board(board_));
+    } else if (const auto joint = quantities_.jointOfStep(quantity)) {
+      column.head<6>() =
+          linkStepMotion(robot, attitude, modelState, torsoFromLink, *joint, quantity - quantities_.linkStep(*joint));
     }
   }
 }

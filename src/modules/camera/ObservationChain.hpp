@@ -37,12 +37,14 @@ struct CameraFrames {
 ///   pointInOptical = opticalFromLink(camera) * linkFromTorso * torsoFromLink(target) * linkFromBoard * pointInBoard
 ///
 /// A link may replace the camera (`betweenLinks`); then "optical" is that link's frame.
-/// For a floor board the target link is the support foot's sole and linkFromBoard = inverse(worldFromSole) *
-/// worldFromBoard.
+/// For a board in the world the target link is the support and linkFromBoard = inverse(worldFromSupport) *
+/// worldFromBoard. A camera in the world is carried by the support, too: linkFromOptical = inverse(worldFromSupport) *
+/// worldFromOptical.
 class ObservationChain {
 public:
+  /// `support`: the link that stands in the world, for a camera beside the robot.
   ObservationChain(const Robot& robot, const StateLayout& quantities, std::size_t camera, std::size_t targetLink,
-                   bool onFloor, std::size_t board);
+                   bool inWorld, std::size_t board, std::optional<std::size_t> support = std::nullopt);
 
   /// Chain from a link to the floor under a sole.
   static ObservationChain betweenLinks(const Robot& robot, const StateLayout& quantities, std::size_t eyeLink,
@@ -53,10 +55,12 @@ public:
   /// Joints between camera and target: the ones that affect the picture.
   const std::vector<std::size_t>& joints() const { return joints_; }
   std::size_t board() const { return board_; }
+  /// Lets the board's placement count from `reference` in its link or in the world: reference * T(placement).
+  void setReference(const RigidTransform& reference) { reference_ = reference; }
   /// Whether both chains connect the same camera and link. They then have the same derivatives, except for those by the
   /// boards themselves.
   bool sharesPath(const ObservationChain& other) const {
-    return camera_ == other.camera_ && target_ == other.target_ && onFloor_ == other.onFloor_;
+    return camera_ == other.camera_ && target_ == other.target_ && inWorld_ == other.inWorld_;
   }
 
   /// Requires `torsoFromLink` to contain `links()`.
@@ -94,16 +98,19 @@ public:
 
 private:
   ObservationChain(const Robot& robot, const StateLayout& quantities, std::optional<std::size_t> camera,
-                   std::size_t eyeLink, std::size_t targetLink, bool onFloor, std::size_t board);
-  using Twist = Eigen::Matrix<double, 6, 1>; // omega [rad], v [m] per unit, in the optical frame
+                   std::size_t eyeLink, std::size_t targetLink, bool inWorld, std::size_t board);
   Twist linkMotion(const Robot& robot, const CameraFrames& attitude, const ModelState& modelState,
                    const LinkPoses& torsoFromLink, std::size_t quantity) const;
   Twist mountMotion(const Robot& robot, const ModelState& modelState, std::size_t number) const;
+  Twist linkStepMotion(const Robot& robot, const CameraFrames& attitude, const ModelState& modelState,
+                       const LinkPoses& torsoFromLink, std::size_t joint, std::size_t number) const;
+  RigidTransform boardParent(const CameraFrames& attitude) const;
 
   StateLayout quantities_;
   std::optional<std::size_t> camera_; // absent: a link replaces the camera
   std::size_t eye_, target_, board_;  // links, and the target's index
-  bool onFloor_;
+  bool inWorld_, eyeInWorld_;
+  std::optional<RigidTransform> reference_; // of the board's placement; absent: the identity
   std::vector<std::size_t> links_, joints_;
   std::vector<int> side_; // per link: -1 carries the camera, +1 carries the target, 0 lies not between them
 };

@@ -13,9 +13,6 @@ namespace naocal {
 
 namespace {
 
-constexpr Range lengthRange{-1000, 1000, "m"};
-constexpr Range positiveAngleRange{1e-9, 2 * std::numbers::pi, "radians"};
-
 /// Required keys of a placement; a single mark has no orientation.
 enum class Required { all, position, none };
 
@@ -54,20 +51,11 @@ std::vector<Eigen::Vector3d> readPoints(const JsonCursor& place, const JsonCurso
   return points;
 }
 
-Placement readSigma(const JsonCursor& place, bool onFloor) {
-  if (!place.value().is_number()) {
-    return readPlacement(place, onFloor, Required::none, positiveLengthRange, positiveAngleRange);
-  }
-  const double sigma = place.number(positiveLengthRange);
-  return {.x = sigma, .y = sigma, .z = onFloor ? 0 : sigma};
-}
-
 std::string readLink(const JsonCursor& place) {
   std::string link = place.text();
-  const bool isName =
-      std::all_of(link.begin(), link.end(), [](unsigned char c) { return std::isalnum(c) || c == '_'; });
+  const bool isName = std::all_of(link.begin(), link.end(), [](unsigned char c) { return std::isgraph(c) != 0; });
   if (!isName) {
-    place.refuse("\"floor\" or the name of a link, such as LSole or LWrist");
+    place.refuse("\"floor\", \"world\" or the name of a link, such as LSole or tool0");
   }
   return link;
 }
@@ -127,16 +115,22 @@ Written placementJson(const Placement& placement, bool onFloor, const json& read
   return mergeUnknownKeys(known, read);
 }
 
-Written sigmaJson(const Placement& sigma, bool onFloor, const json& read) {
-  const bool isNumber = sigma.x > 0 && sigma.x == sigma.y && (onFloor || sigma.x == sigma.z) && sigma.roll == 0 &&
-                        sigma.pitch == 0 && sigma.yaw == 0 && !read.is_object();
-  return isNumber ? Written(sigma.x) : placementJson(sigma, onFloor, read, false);
-}
-
 } // namespace
 
 Placement readFloorPlacement(const JsonCursor& place) {
   return readPlacement(place, true, Required::all, lengthRange, angleRange);
+}
+
+Placement readSparsePlacement(const JsonCursor& place) {
+  return readPlacement(place, false, Required::none, lengthRange, angleRange);
+}
+
+Placement readSigma(const JsonCursor& place, bool onFloor) {
+  if (!place.value().is_number()) {
+    return readPlacement(place, onFloor, Required::none, positiveLengthRange, positiveAngleRange);
+  }
+  const double sigma = place.number(positiveLengthRange);
+  return {.x = sigma, .y = sigma, .z = onFloor ? 0 : sigma};
 }
 
 Board readBoard(const JsonCursor& place) {
@@ -184,6 +178,12 @@ void requireDistinctMarkers(const std::vector<Board>& boards, const JsonCursor& 
 
 nlohmann::ordered_json toJson(const Placement& placement, bool onFloor, const nlohmann::json& read) {
   return placementJson(placement, onFloor, read);
+}
+
+nlohmann::ordered_json sigmaJson(const Placement& sigma, bool onFloor, const nlohmann::json& read) {
+  const bool isNumber = sigma.x > 0 && sigma.x == sigma.y && (onFloor || sigma.x == sigma.z) && sigma.roll == 0 &&
+                        sigma.pitch == 0 && sigma.yaw == 0 && !read.is_object();
+  return isNumber ? Written(sigma.x) : placementJson(sigma, onFloor, read, false);
 }
 
 nlohmann::ordered_json toJson(const Board& board, const nlohmann::json& read) {

@@ -49,8 +49,4 @@ void writeCaptureSet(const CaptureSet& set, const std::filesystem::path& folder)
 /// The file of a capture's picture. Throws InputError if its path leads out of the set's folder, also by links.
 std::filesystem::path pictureFile(const Capture& capture, const std::filesystem::path& folder);
 
-/// Values in the file, in the order of the enums.
-inline const std::vector<std::string_view> supportFootWords{"left", "right", "both", "none"};
-inline const std::vector<std::string_view> repeatKindWords{"rest", "reapproach", "restand"};
-
 } // namespace naocal

@@ -136,14 +136,14 @@ Sightings collectSightings(const Measurements& measurements) {
   for (const ImageObservation& picture : measurements.pictures) {
     const double time = picture.instant.time.count();
     for (const BoardObservation& observation : picture.observations) {
-      if (measurements.targets[observation.view.board()].onFloor) {
+      if (measurements.targets[observation.view.board()].inWorld) {
         result.boards[{picture.set, observation.view.board()}].insert(time);
         result.stances[{picture.set, picture.stance}].insert(time);
       }
       result.cameras[{picture.set, picture.camera}].insert(time);
     }
     for (const std::size_t joint :
-         picture.observations.empty() ? std::vector<std::size_t>{} : observedJoints(measurements.robot, picture)) {
+         picture.measuresNothing() ? std::vector<std::size_t>{} : observedJoints(measurements.robot, picture)) {
       result.joints[{picture.set, measurements.robot.joints[joint].motor}].insert(time);
     }
   }

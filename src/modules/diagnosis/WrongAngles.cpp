@@ -85,7 +85,7 @@ FloorResiduals collectFloorResiduals(const Measurements& measurements, const Cal
   for (const BoardResidual& observation : fit.withReportedAngles) {
     const ObservationChain& view =
         measurements.pictures[observation.picture].observations[observation.observation].view;
-    if (measurements.targets[view.board()].onFloor) {
+    if (measurements.targets[view.board()].inWorld) {
       result[observation.picture].push_back(&observation);
     }
   }

@@ -6,12 +6,13 @@ const std::vector<Effect>& allEffects() {
   static const std::vector<Effect> all{jointOffset(),    encoderGain(),       encoderEccentricity(),
                                        thermalDrift(),   timeDrift(),         backlash(),
                                        hysteresis(),     gearPlay(),          elasticity(),
-                                       timeOffset(),     axisTilt(),          linkLength(),
+                                       motorCoupling(),  lateralElasticity(), timeOffset(),
+                                       axisTilt(),       linkLength(),        linkGeometry(),
                                        soleCompliance(), soleTilt(),          imuTilt(),
                                        cameraRotation(), cameraTranslation(), focalLength(),
                                        principalPoint(), radialDistortion(),  tangentialDistortion(),
                                        rollingShutter(), boardScale(),        boardBow(),
-                                       boardTilt()};
+                                       boardTilt(),      trackerScale()};
   return all;
 }
 

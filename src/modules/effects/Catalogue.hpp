@@ -17,6 +17,14 @@ inline constexpr char hysteresis[] = "hysteresis";
 inline constexpr char gearPlay[] = "gearPlay";
 inline constexpr char boardPlacement[] = "boardPlacement";
 inline constexpr char stancePlacement[] = "stancePlacement";
+inline constexpr char cameraPlacement[] = "cameraPlacement";
+inline constexpr char trackerPlacement[] = "trackerPlacement";
+inline constexpr char markerPoint[] = "markerPoint";
+inline constexpr char framePlacement[] = "framePlacement";
+inline constexpr char placePoint[] = "placePoint";
+inline constexpr char cameraTranslation[] = "cameraTranslation";
+inline constexpr char encoderEccentricity[] = "encoderEccentricity";
+inline constexpr char motorCoupling[] = "motorCoupling";
 } // namespace effectName
 
 /// One function per effect of the catalogue; each describes itself in its file in effects/catalogue/.
@@ -30,9 +38,13 @@ Effect hysteresis();
 Effect gearPlay();
 constexpr double gearFriction = 0.2; // [Nm], offset of the unknown t of gearPlay
 Effect elasticity();
+Effect lateralElasticity();
+/// `other`: the joint that drives this one along.
+Effect motorCoupling(std::size_t other = 0);
 Effect timeOffset();
 Effect axisTilt();
 Effect linkLength();
+Effect linkGeometry();
 Effect soleCompliance();
 Effect soleTilt();
 Effect imuTilt();
@@ -46,8 +58,9 @@ Effect rollingShutter();
 Effect boardScale();
 Effect boardBow();
 Effect boardTilt();
+Effect trackerScale();
 
-/// All effects in causal order: encoders, gears, links, soles, IMU, mounts, lenses, boards.
+/// All effects in causal order: encoders, gears, links, soles, IMU, mounts, lenses, boards, trackers.
 const std::vector<Effect>& allEffects();
 
 } // namespace naocal

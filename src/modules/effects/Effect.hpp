@@ -22,9 +22,9 @@ struct Unknown {
       0; // plausible size: prior standard deviation, solver scale, finite-difference step, reference of `learned`
 };
 
-/// Kind of place where an effect acts. A motor drives one joint, or both hip yaw-pitch joints. (Stances are places of
-/// unknown placements only.)
-enum class PlaceKind { motor, joint, camera, board, sole, length, all, stance };
+/// Kind of place where an effect acts. A motor drives one joint, or both hip yaw-pitch joints. (Stances, markers,
+/// frames and places are places of unknown placements only.)
+enum class PlaceKind { motor, joint, camera, board, sole, length, all, stance, tracker, marker, frame, place };
 
 /// Index of the place of a shared board effect: one set of unknowns for all boards.
 constexpr std::size_t allPlaces = std::numeric_limits<std::size_t>::max();
@@ -59,6 +59,7 @@ struct Effect {
   bool kink = false;                            // correction is not smooth in its drivers
   bool inBaseModel = false;                     // part of every model unless excluded
   bool shared = false;                          // board effect that may be common to all boards
+  bool needsUrdf = false;                       // for robots that a URDF describes
   std::optional<std::size_t> onlyAtMotor = std::nullopt; // user-defined effect at one joint: its motor
   std::string definition = "";                           // user-defined effect: its JSON
   std::function<void(ModelState&, const RobotSample&, std::size_t at, std::span<const double> values)> correct;

@@ -46,6 +46,19 @@ void shareLegLoad(const Robot& robot, const GravityLoad& right, double leftLoad,
   }
 }
 
+/// Against gravity, in the root's frame, of a robot with a support link.
+Eigen::Vector3d upInTorso(const LinkPoses& torsoFromLink, const RobotSample& instant) {
+  return torsoFromLink[*instant.supportLink].rotation * instant.upInSupport;
+}
+
+Eigen::Matrix2Xd computeLateralTorque(const Robot& robot, const ModelState& modelState, const RobotSample& instant) {
+  const LinkPoses torsoFromLink = forwardKinematics(robot, modelState);
+  const std::size_t held = instant.supportLink.value_or(0);
+  const Eigen::Vector3d up =
+      instant.supportLink ? upInTorso(torsoFromLink, instant) : Eigen::Vector3d{torsoFromLink[held].rotation.col(2)};
+  return lateralTorques(robot, modelState, torsoFromLink, held, up);
+}
+
 GravityLoad computeLoad(const Robot& robot, const ModelState& modelState, const RobotSample& instant,
                         bool withGrowthByAngle) {
   const LinkPoses torsoFromLink = forwardKinematics(robot, modelState);
@@ -66,45 +79,85 @@ GravityLoad computeLoad(const Robot& robot, const ModelState& modelState, const 
   case SupportFoot::none:
     break;
   }
+  if (instant.supportLink) {
+    return gravityLoad(robot, modelState, torsoFromLink, *instant.supportLink, upInTorso(torsoFromLink, instant),
+                       withGrowthByAngle);
+  }
   GravityLoad hanging = loadOn(0);
   hanging.com.setConstant(RobotSample::nothing);
   return hanging;
 }
 
-/// `loaded`: computes torques and centre of mass; `growth`: also the derivatives of torqueGrowth with respect to the
+/// Sets the lateral torques at the instant's angles and, by central differences, their derivatives with respect to the
 /// offsets.
+void driveLaterally(const Robot& robot, ModelState modelState, DriverState& result) {
+  constexpr double step = 1e-4; // [rad]
+  const Eigen::Index joints = eigenIndex(robot.joints.size()), offsets = result.angleByOffset.cols();
+  result.instant.lateralTorque = computeLateralTorque(robot, modelState, result.instant);
+  result.lateralByOffset.fill(Eigen::MatrixXd::Zero(joints, offsets));
+  const Eigen::VectorXd here = modelState.values.head(joints);
+  for (Eigen::Index i = 0; i < offsets; ++i) {
+    modelState.values.head(joints) = here + step * result.angleByOffset.col(i);
+    const Eigen::Matrix2Xd after = computeLateralTorque(robot, modelState, result.instant);
+    modelState.values.head(joints) = here - step * result.angleByOffset.col(i);
+    const Eigen::Matrix2Xd slope = (after - computeLateralTorque(robot, modelState, result.instant)) / (2 * step);
+    for (std::size_t normal = 0; normal < 2; ++normal) {
+      result.lateralByOffset[normal].col(i) = slope.row(eigenIndex(normal)).transpose();
+    }
+  }
+}
+
+/// What to compute besides the angles: torques and centre of mass, the derivatives of torqueGrowth with respect to the
+/// offsets, lateral torques.
+struct Loads {
+  bool loaded = false, growth = false, lateral = false;
+};
+
 DriverState driveState(const Measurements& measurements, const Model& model, const ImageObservation& picture,
-                       const Eigen::VectorXd& unknowns, bool loaded, bool growth) {
+                       const Eigen::VectorXd& unknowns, const Loads& loads) {
+  const bool growth = loads.growth;
   const Robot& robot = measurements.robot;
   const Eigen::Index joints = eigenIndex(robot.joints.size()), offsets = eigenIndex(model.offsets().size());
-  DriverState result{picture.instant, Eigen::MatrixXd::Zero(joints, offsets), Eigen::MatrixXd::Zero(joints, offsets),
-                     Eigen::MatrixXd::Zero(growth ? joints : 0, offsets), Eigen::MatrixXd::Zero(2, offsets)};
+  DriverState result{picture.instant,
+                     Eigen::MatrixXd::Zero(joints, offsets),
+                     Eigen::MatrixXd::Zero(joints, offsets),
+                     Eigen::MatrixXd::Zero(growth ? joints : 0, offsets),
+                     Eigen::MatrixXd::Zero(2, offsets),
+                     {}};
   for (Eigen::Index i = 0; i < offsets; ++i) {
     const Term& offset = model.terms()[model.offsets()[static_cast<std::size_t>(i)]];
     for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
       if (robot.joints[joint].motor == offset.placeIndex) {
-        result.instant.q[eigenIndex(joint)] -= unknowns[eigenIndex(offset.first)];
-        result.angleByOffset(eigenIndex(joint), i) = -1;
+        result.instant.q[eigenIndex(joint)] -= robot.joints[joint].ratio * unknowns[eigenIndex(offset.first)];
+        result.angleByOffset(eigenIndex(joint), i) = -robot.joints[joint].ratio;
       }
     }
   }
-  if (!loaded) {
-    return result;
-  }
   ModelState modelState = picture.nominal;
   modelState.values.head(joints) = result.instant.q;
+  if (loads.lateral) {
+    driveLaterally(robot, modelState, result);
+  }
+  if (!loads.loaded) {
+    return result;
+  }
+  if (std::none_of(robot.links.begin(), robot.links.end(), [](const Link& link) { return link.mass > 0; })) {
+    result.instant.torque.setZero(joints); // the drawing has no masses
+    result.instant.torqueGrowth.setZero(joints);
+    return result;
+  }
   const GravityLoad load = computeLoad(robot, modelState, result.instant, growth);
   result.instant.torque = load.torque;
   result.instant.torqueGrowth = load.torqueGrowth;
   result.instant.com = load.com.head<2>();
   for (Eigen::Index i = 0; i < offsets; ++i) {
     for (Eigen::Index joint = 0; joint < joints; ++joint) {
-      if (result.angleByOffset(joint, i) != 0) {
-        result.torqueByOffset.col(i) -= load.torqueByAngle.col(joint);
+      if (const double slope = result.angleByOffset(joint, i); slope != 0) {
+        result.torqueByOffset.col(i) += slope * load.torqueByAngle.col(joint);
         if (growth) {
-          result.growthByOffset.col(i) -= load.growthByAngle.col(joint);
+          result.growthByOffset.col(i) += slope * load.growthByAngle.col(joint);
         }
-        result.comByOffset.col(i) -= load.comByAngle.col(joint).head<2>();
+        result.comByOffset.col(i) += slope * load.comByAngle.col(joint).head<2>();
       }
     }
   }
@@ -126,12 +179,19 @@ DriverState computeDrivers(const Measurements& measurements, const Model& model,
                            const Eigen::VectorXd& unknowns) {
   const bool growth = dependsOn(model, {Driver::torqueGrowth});
   const bool loaded = growth || dependsOn(model, {Driver::torque, Driver::com});
-  return driveState(measurements, model, picture, unknowns, loaded, growth);
+  const bool lateral = dependsOn(model, {Driver::lateral1, Driver::lateral2});
+  return driveState(measurements, model, picture, unknowns, {loaded, growth, lateral});
 }
 
 RobotSample sampleAt(const Measurements& measurements, const Model& model, const ImageObservation& picture,
                      const Eigen::VectorXd& unknowns) {
-  return driveState(measurements, model, picture, unknowns, true, false).instant;
+  RobotSample sample = driveState(measurements, model, picture, unknowns, {true, false, false}).instant;
+  if (measurements.quantities.scene().hasLinkSteps) {
+    ModelState modelState = picture.nominal;
+    modelState.values.head(sample.q.size()) = sample.q;
+    sample.lateralTorque = computeLateralTorque(measurements.robot, modelState, sample);
+  }
+  return sample;
 }
 
 } // namespace naocal

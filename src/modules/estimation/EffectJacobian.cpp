@@ -21,7 +21,8 @@ std::vector<RemoteDriver> drivers(const Effect& effect, std::size_t place) {
     if (look.driver == Driver::com) {
       result.push_back({look.driver, 0});
       result.push_back({look.driver, 1});
-    } else if (look.driver == Driver::angle || look.driver == Driver::torque || look.driver == Driver::torqueGrowth) {
+    } else if (look.driver == Driver::angle || look.driver == Driver::torque || look.driver == Driver::torqueGrowth ||
+               look.driver == Driver::lateral1 || look.driver == Driver::lateral2) {
       result.push_back(look);
     }
   }
@@ -34,6 +35,7 @@ RobotSample makeGenericSample(const RobotSample& recorded) {
   result.q = Eigen::VectorXd::LinSpaced(recorded.q.size(), 0.2, 0.4);
   result.torque = Eigen::VectorXd::LinSpaced(recorded.q.size(), 0.01, 0.02);
   result.torqueGrowth = Eigen::VectorXd::LinSpaced(recorded.q.size(), 0.1, 0.2);
+  result.lateralTorque = Eigen::Matrix2Xd::Constant(2, recorded.q.size(), 0.015);
   result.com = {0.02, 0.03};
   return result;
 }
@@ -67,9 +69,18 @@ public:
     if (quantity < quantities_.board(0)) {
       return true;
     }
-    const std::size_t board = (quantity - quantities_.board(0)) / (quantities_.board(1) - quantities_.board(0));
-    return std::any_of(picture_.observations.begin(), picture_.observations.end(),
-                       [&](const BoardObservation& observation) { return observation.view.board() == board; });
+    if (const auto board = quantities_.boardOf(quantity)) {
+      return std::any_of(picture_.observations.begin(), picture_.observations.end(),
+                         [&](const BoardObservation& observation) { return observation.view.board() == *board; });
+    }
+    if (const auto joint = quantities_.jointOfStep(quantity)) {
+      return joints_[*joint] != 0;
+    }
+    return std::any_of(picture_.witnesses.begin(), picture_.witnesses.end(),
+                       [&](const WitnessObservation& observation) {
+                         const std::vector<std::size_t>& own = observation.witness->own();
+                         return std::find(own.begin(), own.end(), quantity) != own.end();
+                       });
   }
 
 private:
@@ -86,6 +97,10 @@ double& driverIn(RobotSample& instant, const RemoteDriver& which) {
     return instant.torqueGrowth[eigenIndex(which.joint)];
   case Driver::com:
     return instant.com[eigenIndex(which.joint)];
+  case Driver::lateral1:
+    return instant.lateralTorque(0, eigenIndex(which.joint));
+  case Driver::lateral2:
+    return instant.lateralTorque(1, eigenIndex(which.joint));
   default:
     return instant.q[eigenIndex(which.joint)];
   }
@@ -97,6 +112,10 @@ double derivativeByOffset(const DriverState& driven, const RemoteDriver& which, 
     return driven.torqueByOffset(eigenIndex(which.joint), eigenIndex(offset));
   case Driver::torqueGrowth:
     return driven.growthByOffset(eigenIndex(which.joint), eigenIndex(offset));
+  case Driver::lateral1:
+    return driven.lateralByOffset[0](eigenIndex(which.joint), eigenIndex(offset));
+  case Driver::lateral2:
+    return driven.lateralByOffset[1](eigenIndex(which.joint), eigenIndex(offset));
   case Driver::com:
     return driven.comByOffset(eigenIndex(which.joint), eigenIndex(offset));
   default:

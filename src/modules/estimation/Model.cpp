@@ -76,8 +76,12 @@ std::vector<std::string> Model::units() const {
   return result;
 }
 
-bool isStanceSole(const Sole& sole, SupportFoot foot) {
-  return foot == SupportFoot::right ? sole.name == "right" : foot != SupportFoot::none && sole.name == "left";
+bool isStanceSole(const Sole& sole, const RobotSample& instant) {
+  if (instant.supportLink) {
+    return sole.link == *instant.supportLink;
+  }
+  return instant.supportFoot == SupportFoot::right ? sole.name == "right"
+                                                   : instant.supportFoot != SupportFoot::none && sole.name == "left";
 }
 
 std::vector<std::size_t> placesOn(const Term& term, const Measurements& measurements, const ImageObservation& picture) {
@@ -109,7 +113,11 @@ std::vector<std::size_t> placesOn(const Term& term, const Measurements& measurem
   case PlaceKind::stance:
     return only(term.placeIndex == picture.stance);
   case PlaceKind::sole:
-    return only(isStanceSole(robot.soles[term.placeIndex], picture.instant.supportFoot));
+    return only(isStanceSole(robot.soles[term.placeIndex], picture.instant));
+  case PlaceKind::tracker:
+  case PlaceKind::marker:
+  case PlaceKind::frame:
+  case PlaceKind::place:
   case PlaceKind::joint:
   case PlaceKind::length:
   case PlaceKind::all:

@@ -18,7 +18,7 @@ struct Term {
       0;                 // index of motor's joint, joint, camera, target, sole, length or stance; 0 for PlaceKind::all
   std::string placeName; // LKneePitch
   std::size_t first = 0; // index of its first unknown
-  bool isPlacement = false; // placement of a board or stance: an unknown, but not physical
+  bool isPlacement = false; // placement of a board, stance, instrument, ...: an unknown, but not physical
   bool requested = true;    // false: an offset added only because torques depend on it
 
   std::string label() const { return effect.name + "@" + placeName; }
@@ -63,7 +63,7 @@ std::string labelFor(const std::string& given, const Robot& robot);
 bool isOnLeg(const Robot& robot, std::size_t joint);
 
 /// Whether a stance is attached to this sole; with both feet on the floor, to the left one.
-bool isStanceSole(const Sole& sole, SupportFoot foot);
+bool isStanceSole(const Sole& sole, const RobotSample& instant);
 
 /// Sites that a term corrects in a picture: each joint driven by its motor, each board for a shared effect, or its
 /// single place. Empty if the picture does not involve it.

@@ -1,6 +1,7 @@
 #include "estimation/ModelBuilder.hpp"
 
 #include "effects/Catalogue.hpp"
+#include "estimation/DriverState.hpp"
 #include "estimation/EffectJacobian.hpp"
 #include "estimation/Model.hpp"
 #include "io/InputError.hpp"
@@ -21,7 +22,7 @@ using NamedPlaces = std::vector<std::pair<std::size_t, std::string>>;
 
 /// Sites involved in pictures with corners.
 struct Touched {
-  std::set<std::size_t> motors, joints, cameras, boards, soles, lengths;
+  std::set<std::size_t> motors, joints, cameras, boards, soles, lengths, trackers;
 };
 
 void touchLengths(const Robot& robot, const ObservationChain& view, std::set<std::size_t>& lengths) {
@@ -36,10 +37,12 @@ Touched findTouched(const Measurements& measurements) {
   const Robot& robot = measurements.robot;
   Touched result;
   for (const ImageObservation& picture : measurements.pictures) {
-    if (picture.observations.empty()) {
+    if (picture.measuresNothing()) {
       continue;
     }
-    result.cameras.insert(picture.camera);
+    if (!picture.observations.empty()) {
+      result.cameras.insert(picture.camera);
+    }
     for (const std::size_t joint : observedJoints(robot, picture)) {
       result.joints.insert(joint);
       result.motors.insert(robot.joints[joint].motor);
@@ -50,14 +53,26 @@ Touched findTouched(const Measurements& measurements) {
       if (target.board.pattern) {
         result.boards.insert(observation.view.board());
       }
-      for (std::size_t sole = 0; target.onFloor && sole < robot.soles.size(); ++sole) {
-        if (isStanceSole(robot.soles[sole], picture.instant.supportFoot)) {
+      for (std::size_t sole = 0; target.inWorld && sole < robot.soles.size(); ++sole) {
+        if (isStanceSole(robot.soles[sole], picture.instant)) {
           result.soles.insert(sole);
         }
       }
     }
   }
+  for (std::size_t tracker = 0; tracker < measurements.instruments.trackers.size(); ++tracker) {
+    const std::string& name = measurements.instruments.trackers[tracker].name;
+    if (std::any_of(measurements.levels.begin(), measurements.levels.end(),
+                    [&](const ReadingLevel& level) { return level.name == name; })) {
+      result.trackers.insert(tracker);
+    }
+  }
   return result;
+}
+
+/// Whether an effect makes sense at a joint: a joint that slides has no eccentric encoder.
+bool isOffered(const Effect& effect, const Joint& joint) {
+  return !joint.isPrismatic || effect.name != effectName::encoderEccentricity;
 }
 
 template <typename List> NamedPlaces namePlaces(const std::set<std::size_t>& numbers, const List& list) {
@@ -68,21 +83,45 @@ template <typename List> NamedPlaces namePlaces(const std::set<std::size_t>& num
   return result;
 }
 
+/// The next recorded joint from a joint towards the base.
+std::optional<std::size_t> nextTowardsBase(const Measurements& measurements, std::size_t joint) {
+  const Robot& robot = measurements.robot;
+  for (auto link = robot.links[robot.joints[joint].link].parent; link; link = robot.links[*link].parent) {
+    const auto next = robot.links[*link].joint;
+    if (next && std::binary_search(measurements.recordedMotors.begin(), measurements.recordedMotors.end(),
+                                   robot.joints[*next].motor)) {
+      return next;
+    }
+  }
+  return std::nullopt;
+}
+
 /// Sites where an effect can act in these captures, as (index, name): motors and joints between a camera and a target,
 /// lengths on such a path, cameras with observations, observed boards with a printed pattern, soles that were stood on.
 /// A shared board effect also has the place `allPlaces` ("all") with several boards.
 NamedPlaces candidateSites(const Effect& effect, const Measurements& measurements, const Touched& touched) {
   const Robot& robot = measurements.robot;
+  if (effect.needsUrdf && !measurements.quantities.scene().hasLinkSteps) {
+    return {};
+  }
   switch (effect.placeKind) {
   case PlaceKind::motor: {
     NamedPlaces result = namePlaces(touched.motors, robot.joints);
-    std::erase_if(result, [&](const auto& place) { return effect.onlyAtMotor && place.first != *effect.onlyAtMotor; });
+    std::erase_if(result, [&](const auto& place) {
+      return (effect.onlyAtMotor && place.first != *effect.onlyAtMotor) ||
+             !isOffered(effect, robot.joints[place.first]) ||
+             (effect.name == effectName::motorCoupling && !nextTowardsBase(measurements, place.first));
+    });
     return result;
   }
   case PlaceKind::joint:
     return namePlaces(touched.joints, robot.joints);
-  case PlaceKind::camera:
-    return namePlaces(touched.cameras, robot.cameras);
+  case PlaceKind::camera: {
+    NamedPlaces result = namePlaces(touched.cameras, robot.cameras);
+    const bool movesMount = effect.name == effectName::cameraRotation || effect.name == effectName::cameraTranslation;
+    std::erase_if(result, [&](const auto& place) { return movesMount && robot.cameras[place.first].inWorld; });
+    return result;
+  }
   case PlaceKind::board: {
     NamedPlaces result = namePlaces(touched.boards, measurements.targets);
     if (effect.shared && result.size() > 1) {
@@ -96,7 +135,12 @@ NamedPlaces candidateSites(const Effect& effect, const Measurements& measurement
     return namePlaces(touched.lengths, robot.lengths);
   case PlaceKind::all:
     return {{0, "all"}};
+  case PlaceKind::tracker:
+    return namePlaces(touched.trackers, measurements.instruments.trackers);
   case PlaceKind::stance:
+  case PlaceKind::marker:
+  case PlaceKind::frame:
+  case PlaceKind::place:
     break;
   }
   return {};
@@ -118,11 +162,13 @@ const char* missingInput(const RobotSample& instant, Driver driver, std::size_t 
     return std::isnan(instant.imu.x()) ? "torso angles (imu)" : nullptr;
   case Driver::torque:
   case Driver::torqueGrowth:
+  case Driver::lateral1:
+  case Driver::lateral2:
     return instant.supportFoot == SupportFoot::both && std::isnan(instant.leftLoad) && isOnLeg(robot, joint)
                ? "shares of the load on both feet (fsr)"
                : nullptr;
   case Driver::com:
-    return instant.supportFoot == SupportFoot::none ? "support feet" : nullptr;
+    return instant.supportFoot == SupportFoot::none && !instant.supportLink ? "support feet" : nullptr;
   case Driver::angle:
   case Driver::time:
     break;
@@ -213,7 +259,10 @@ void refuseUnused(const std::vector<Pattern>& patterns, const std::vector<std::s
 }
 
 bool looksAtWeight(const Term& term) {
-  const auto weighs = [](Driver driver) { return driver == Driver::torque || driver == Driver::com; };
+  const auto weighs = [](Driver driver) {
+    return driver == Driver::torque || driver == Driver::com || driver == Driver::lateral1 ||
+           driver == Driver::lateral2;
+  };
   return std::any_of(term.effect.drivers.begin(), term.effect.drivers.end(), weighs) ||
          std::any_of(term.effect.remoteDrivers.begin(), term.effect.remoteDrivers.end(),
                      [&](const RemoteDriver& other) { return weighs(other.driver); });
@@ -230,11 +279,32 @@ std::vector<Term> weighingOffsets(const Measurements& measurements) {
   return result;
 }
 
-/// Additive correction of linkFromBoard or worldFromSole; unknowns are named after the placement's components.
-Effect placementEffect(PlaceKind place, const std::vector<std::size_t>& numbers, const std::vector<double>& sigmas) {
+/// Where the numbers of an unknown placement are in the state.
+Eigen::Ref<Eigen::VectorXd> placementIn(ModelState& modelState, PlaceKind place, std::size_t at) {
+  switch (place) {
+  case PlaceKind::board:
+    return modelState.boardPlacement(at);
+  case PlaceKind::camera: // x, y, z, then rx, ry, rz
+    return modelState.values.segment(static_cast<Eigen::Index>(modelState.layout().mountTranslation()), 6);
+  case PlaceKind::tracker:
+    return modelState.trackerPlacement(at);
+  case PlaceKind::marker:
+    return modelState.marker(at);
+  case PlaceKind::frame:
+    return modelState.framePlacement(at);
+  case PlaceKind::place:
+    return modelState.place(at);
+  default:
+    return modelState.worldFromSupport();
+  }
+}
+
+/// Additive correction of a placement; unknowns are named after the placement's components.
+Effect placementEffect(const char* name, PlaceKind place, const std::vector<std::size_t>& numbers,
+                       const std::vector<double>& sigmas) {
   static const std::vector<Unknown> all{{"x", "m", 0},      {"y", "m", 0},       {"z", "m", 0},
                                         {"roll", "rad", 0}, {"pitch", "rad", 0}, {"yaw", "rad", 0}};
-  Effect effect{.name = place == PlaceKind::board ? effectName::boardPlacement : effectName::stancePlacement,
+  Effect effect{.name = name,
                 .description = "where it lies or stands",
                 .formula = "placement = start + (x, y, z, roll, pitch, yaw)",
                 .placeKind = place,
@@ -246,49 +316,128 @@ Effect placementEffect(PlaceKind place, const std::vector<std::size_t>& numbers,
   }
   effect.correct = [place, numbers](ModelState& modelState, const RobotSample&, std::size_t at,
                                     std::span<const double> values) {
+    auto placement = placementIn(modelState, place, at);
     for (std::size_t i = 0; i < numbers.size(); ++i) {
-      const auto number = static_cast<Eigen::Index>(numbers[i]);
-      (place == PlaceKind::board ? modelState.boardPlacement(at) : modelState.worldFromSupport())[number] += values[i];
+      placement[static_cast<Eigen::Index>(numbers[i])] += values[i];
     }
   };
   return effect;
 }
 
-constexpr double anywhere = 10; // [m]: floor placement without a guess
+constexpr double anywhere = 10; // [m]: placement in the world without a guess
 
 constexpr double anyDirection = 10; // [rad]
+
+const std::vector<std::size_t> xyzNumbers{0, 1, 2}, allNumbers{0, 1, 2, 3, 4, 5};
+const std::vector<double> anyXyz(3, anywhere), anyPose{anywhere,     anywhere,     anywhere,
+                                                       anyDirection, anyDirection, anyDirection};
+
+/// Replaces the sigmas of these numbers that a set gives.
+void setGivenSigmas(const Placement& given, const std::vector<std::size_t>& numbers, std::vector<double>& sigmas) {
+  const double all[6] = {given.x, given.y, given.z, given.roll, given.pitch, given.yaw};
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    if (all[numbers[i]] > 0) {
+      sigmas[i] = all[numbers[i]];
+    }
+  }
+}
 
 void addBoardPlacement(const Measurements& measurements, std::size_t index, Model& model) {
   const Target& target = measurements.targets[index];
   std::vector<std::size_t> numbers{0, 1, 5};
   std::vector<double> sigmas{anywhere, anywhere, anyDirection};
-  if (!target.onFloor) {
-    numbers = target.board.points.size() == 1 ? std::vector<std::size_t>{0, 1, 2}
-                                              : std::vector<std::size_t>{0, 1, 2, 3, 4, 5};
-    sigmas = {0.05, 0.05, 0.05, 0.3, 0.3, 0.3};
+  if (!target.isFlat) {
+    const bool isReferred = measurements.quantities.scene().hasLinkSteps && !target.board.hasGuess;
+    numbers = target.board.points.size() == 1 ? xyzNumbers : allNumbers;
+    sigmas = target.inWorld || isReferred ? anyPose : std::vector<double>{0.05, 0.05, 0.05, 0.3, 0.3, 0.3};
   }
   if (const auto& sigma = target.board.placementSigma) {
-    const double given[6] = {sigma->x, sigma->y, sigma->z, sigma->roll, sigma->pitch, sigma->yaw};
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-      if (given[numbers[i]] > 0) {
-        sigmas[i] = given[numbers[i]];
-      }
-    }
+    setGivenSigmas(*sigma, numbers, sigmas);
   }
   sigmas.resize(numbers.size());
-  model.add({placementEffect(PlaceKind::board, numbers, sigmas), index, target.name, 0, true});
+  model.add(
+      {placementEffect(effectName::boardPlacement, PlaceKind::board, numbers, sigmas), index, target.name, 0, true});
 }
 
-/// Adds unknown placements of boards and stances that the pictures depend on. On the floor: x, y, yaw; on a link: all
-/// six, or three for a single mark. Prior sigma: the set's own (`placementSigma`), else practically unconstrained.
+void addStancePlacement(const Measurements& measurements, std::size_t index, Model& model) {
+  const StanceInstance& stance = measurements.stances[index];
+  const Effect effect = stance.isFlat
+                            ? placementEffect(effectName::stancePlacement, PlaceKind::stance, {0, 1, 5},
+                                              {anywhere, anywhere, anyDirection})
+                            : placementEffect(effectName::stancePlacement, PlaceKind::stance, allNumbers, anyPose);
+  model.add({effect, index, stance.name, 0, true});
+}
+
+/// Adds unknown placements of cameras beside the robot.
+void addCameraPlacements(const Measurements& measurements, const std::set<std::size_t>& cameras, Model& model) {
+  for (const std::size_t camera : cameras) {
+    if (measurements.isCameraUnknown(camera)) {
+      const std::string& name = measurements.robot.cameras[camera].name;
+      std::vector<double> sigmas = anyPose;
+      if (const auto& sigma = measurements.sets->front().mountings.at(name).sigma) {
+        setGivenSigmas(*sigma, allNumbers, sigmas);
+      }
+      model.add(
+          {placementEffect(effectName::cameraPlacement, PlaceKind::camera, allNumbers, sigmas), camera, name, 0, true});
+    }
+  }
+}
+
+/// Adds unknown placements of instruments, and of what they measure, that the readings depend on.
+void addInstrumentPlacements(const Measurements& measurements, Model& model) {
+  std::set<std::size_t> used;
+  for (const ImageObservation& picture : measurements.pictures) {
+    for (const WitnessObservation& observation : picture.witnesses) {
+      used.insert(observation.witness->own().begin(), observation.witness->own().end());
+    }
+  }
+  const StateLayout& layout = measurements.quantities;
+  const InstrumentList& all = measurements.instruments;
+  for (std::size_t i = 0; i < all.trackers.size(); ++i) {
+    if (!all.trackers[i].tracker.placement && used.contains(layout.tracker(i))) {
+      model.add({placementEffect(effectName::trackerPlacement, PlaceKind::tracker, allNumbers, anyPose), i,
+                 all.trackers[i].name, 0, true});
+    }
+  }
+  for (std::size_t i = 0; i < all.markers.size(); ++i) {
+    const TrackedMarker& marker = all.markers[i].marker;
+    if (!marker.point && used.contains(layout.marker(i))) {
+      model.add({placementEffect(effectName::markerPoint, PlaceKind::marker, xyzNumbers,
+                                 std::vector<double>(3, marker.pointSigma)),
+                 i, all.markers[i].name, 0, true});
+    }
+  }
+  for (std::size_t i = 0; i < all.frames.size(); ++i) {
+    if (!all.frames[i].frame.placement && used.contains(layout.frame(i))) {
+      model.add({placementEffect(effectName::framePlacement, PlaceKind::frame, allNumbers, anyPose), i,
+                 all.frames[i].name, 0, true});
+    }
+  }
+  for (std::size_t i = 0; i < all.places.size(); ++i) {
+    if (!all.places[i].place.point && used.contains(layout.place(i))) {
+      model.add({placementEffect(effectName::placePoint, PlaceKind::place, xyzNumbers, anyXyz), i, all.places[i].name,
+                 0, true});
+    }
+  }
+}
+
+/// Adds unknown placements that the measurements depend on. Boards and soles on the floor: x, y, yaw; elsewhere: all
+/// six, or three for a single mark. Prior sigma: the set's own, else practically unconstrained.
 void addPlacementTerms(const Measurements& measurements, Model& model) {
-  std::set<std::size_t> seen, stood;
+  std::set<std::size_t> seen, stood, cameras;
   for (const ImageObservation& picture : measurements.pictures) {
     for (const BoardObservation& observation : picture.observations) {
+      const bool standsBeside = measurements.robot.cameras[picture.camera].inWorld;
       seen.insert(observation.view.board());
-      if (measurements.targets[observation.view.board()].onFloor) {
+      if (measurements.targets[observation.view.board()].inWorld || standsBeside) {
         stood.insert(picture.stance);
       }
+      if (standsBeside) {
+        cameras.insert(picture.camera);
+      }
+    }
+    if (!picture.witnesses.empty()) {
+      stood.insert(picture.stance);
     }
   }
   for (std::size_t target : seen) {
@@ -298,10 +447,11 @@ void addPlacementTerms(const Measurements& measurements, Model& model) {
   }
   for (std::size_t standing : stood) {
     if (measurements.stances[standing].unknown) {
-      model.add({placementEffect(PlaceKind::stance, {0, 1, 5}, {anywhere, anywhere, anyDirection}), standing,
-                 measurements.stances[standing].name, 0, true});
+      addStancePlacement(measurements, standing, model);
     }
   }
+  addCameraPlacements(measurements, cameras, model);
+  addInstrumentPlacements(measurements, model);
 }
 
 /// Joints whose readings a term needs in a picture; none if the picture cannot show it.
@@ -310,7 +460,7 @@ std::vector<std::size_t> jointsToRead(const Term& term, const Measurements& meas
   const Effect& effect = term.effect;
   const std::vector<std::size_t> places = placesOn(term, measurements, picture);
   const bool shares = effect.placeKind == PlaceKind::sole && picture.instant.supportFoot == SupportFoot::both;
-  if (picture.observations.empty() || places.empty() || shares) {
+  if (picture.measuresNothing() || places.empty() || shares) {
     return {};
   }
   std::vector<std::size_t> joints = observedJoints(measurements.robot, picture);
@@ -349,6 +499,10 @@ std::optional<std::string> untestableReason(const Effect& effect, std::size_t at
     return std::nullopt;
   }
   const Term term{effect, at, ""};
+  const std::vector<Link>& links = measurements.robot.links;
+  if (looksAtWeight(term) && std::none_of(links.begin(), links.end(), [](const Link& link) { return link.mass > 0; })) {
+    return "the drawing has no masses";
+  }
   std::size_t concerned = 0, without = 0;
   const char* what = nullptr;
   for (const ImageObservation& picture : measurements.pictures) {
@@ -371,12 +525,68 @@ std::optional<std::string> untestableReason(const Effect& effect, std::size_t at
                               : fmt::format("{} of {} pictures have no {}", without, concerned, what);
 }
 
+namespace {
+
+/// The largest torque that gravity exerts on each joint of a robot with a URDF, about its axis or sideways [Nm].
+Eigen::VectorXd largestLoads(const Measurements& measurements) {
+  Eigen::VectorXd largest = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(measurements.robot.joints.size()));
+  if (!measurements.quantities.scene().hasLinkSteps) {
+    return largest;
+  }
+  for (const PoseGroup& pose : measurements.poses) {
+    const ImageObservation& picture = measurements.pictures[pose.readings.front().pictures.front()];
+    const RobotSample sample = sampleAt(measurements, Model{}, picture, {});
+    if (sample.torque.size() == largest.size()) {
+      largest = largest.cwiseMax(sample.torque.cwiseAbs())
+                    .cwiseMax(sample.lateralTorque.cwiseAbs().colwise().maxCoeff().transpose());
+    }
+  }
+  return largest;
+}
+
+/// Adapts the prior of an effect to the robot: no joint yields by more than about 0.02 rad under the loads that it
+/// bears, and a camera's mount is as uncertain as the set says.
+void fitPrior(const Measurements& measurements, const Eigen::VectorXd& loads, Term& term) {
+  constexpr double largestYield = 0.02; // [rad]
+  for (Unknown& unknown : term.effect.unknowns) {
+    if (unknown.unit == "rad/Nm" && loads[static_cast<Eigen::Index>(term.placeIndex)] > 0) {
+      unknown.sigma = std::min(unknown.sigma, largestYield / loads[static_cast<Eigen::Index>(term.placeIndex)]);
+    }
+  }
+  const bool isRotation = term.effect.name == effectName::cameraRotation,
+             isTranslation = term.effect.name == effectName::cameraTranslation;
+  if (!isRotation && !isTranslation) {
+    return;
+  }
+  const auto& mountings = measurements.sets->front().mountings;
+  const auto mounting = mountings.find(measurements.robot.cameras[term.placeIndex].name);
+  if (mounting == mountings.end() || !mounting->second.sigma) {
+    return;
+  }
+  std::vector<double> sigmas;
+  for (const Unknown& unknown : term.effect.unknowns) {
+    sigmas.push_back(unknown.sigma);
+  }
+  setGivenSigmas(*mounting->second.sigma,
+                 isRotation ? std::vector<std::size_t>{3, 4, 5} : std::vector<std::size_t>{0, 1, 2}, sigmas);
+  for (std::size_t i = 0; i < sigmas.size(); ++i) {
+    term.effect.unknowns[i].sigma = sigmas[i];
+  }
+  term.effect.inBaseModel = true;
+}
+
+} // namespace
+
 std::vector<Term> candidateTerms(const Measurements& measurements, const std::vector<Effect>& effects) {
   const Touched all = findTouched(measurements);
+  const Eigen::VectorXd loads = largestLoads(measurements);
   std::vector<Term> result;
   for (const Effect& effect : effects) {
     for (const auto& [at, place] : candidateSites(effect, measurements, all)) {
-      result.push_back({effect, at, place});
+      result.push_back(
+          {effect.name == effectName::motorCoupling ? motorCoupling(*nextTowardsBase(measurements, at)) : effect, at,
+           place});
+      fitPrior(measurements, loads, result.back());
     }
   }
   return result;

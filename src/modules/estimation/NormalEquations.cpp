@@ -58,15 +58,10 @@ private:
   std::vector<Number>& list_;
 };
 
-/// Index of the board whose placement or shape a quantity is, if any.
-std::optional<std::size_t> boardOf(const StateLayout& quantities, std::size_t quantity) {
-  const std::size_t first = quantities.board(0);
-  return quantity >= first ? std::optional{(quantity - first) / (quantities.board(1) - first)} : std::nullopt;
-}
-
-/// Quantities and columns that affect the corners seen by `view`.
-PreparedImage::Group groupOf(const ObservationChain& view, const StateLayout& quantities,
-                             const std::vector<std::size_t>& unknowns, const PreparedImage& prepared) {
+/// Quantities and columns that affect a measurement. `concerns`: whether a quantity does.
+template <typename Concerns>
+PreparedImage::Group groupOf(const StateLayout& quantities, const std::vector<std::size_t>& unknowns,
+                             const PreparedImage& prepared, const Concerns& concerns) {
   PreparedImage::Group group;
   const std::vector<StateDerivative>& slopes = prepared.slopes.entries();
   const std::size_t most = slopes.size() + prepared.joints.size();
@@ -79,8 +74,7 @@ PreparedImage::Group groupOf(const ObservationChain& view, const StateLayout& qu
   Listed columnPlaces{columns, group.columns};
   Listed quantityPlaces{quantities.size(), group.quantities};
   const auto add = [&](Eigen::Index column, std::size_t quantity, std::size_t slope) {
-    const auto board = boardOf(quantities, quantity);
-    if (!board || *board == view.board()) {
+    if (concerns(quantity)) {
       group.shares.push_back({columnPlaces.indexOf(column), quantityPlaces.indexOf(quantity), slope});
     }
   };
@@ -91,11 +85,33 @@ PreparedImage::Group groupOf(const ObservationChain& view, const StateLayout& qu
   for (std::size_t i = 0; i < prepared.joints.size(); ++i) {
     add(static_cast<Eigen::Index>(unknowns.size() + prepared.deflections[i]), quantities.angle(prepared.joints[i]), 0);
   }
+  return group;
+}
+
+/// The same for the corners of a board, with the quantities that are extras.
+PreparedImage::Group groupOf(const ObservationChain& view, const StateLayout& quantities,
+                             const std::vector<std::size_t>& unknowns, const PreparedImage& prepared) {
+  PreparedImage::Group group = groupOf(quantities, unknowns, prepared, [&](std::size_t quantity) {
+    const auto board = quantities.boardOf(quantity);
+    return board ? *board == view.board() : !quantities.isOfInstrument(quantity);
+  });
   for (std::size_t quantity : group.quantities) {
     if (const auto extra = view.extraIndex(quantity)) {
       group.extras.push_back(*extra);
     }
   }
+  return group;
+}
+
+/// The same for a witness; its own quantities are extras.
+PreparedImage::Group groupOf(const WitnessObservation& observation, const StateLayout& quantities,
+                             const std::vector<std::size_t>& unknowns, const PreparedImage& prepared) {
+  const std::vector<std::size_t>& own = observation.witness->own();
+  PreparedImage::Group group = groupOf(quantities, unknowns, prepared, [&](std::size_t quantity) {
+    const bool isOfRobot = !quantities.boardOf(quantity) && !quantities.isOfInstrument(quantity);
+    return isOfRobot ? observation.view.has_value() : std::find(own.begin(), own.end(), quantity) != own.end();
+  });
+  group.extras.resize(own.size());
   return group;
 }
 
@@ -254,7 +270,7 @@ void prepareImage(const Measurements& measurements, const ImageObservation& pict
     prepared.slopeValues.push_back(slope.value);
   }
   const bool boardsMove = std::any_of(slopes.begin(), slopes.end(), [&](const StateDerivative& slope) {
-    return boardOf(measurements.quantities, slope.quantity).has_value();
+    return measurements.quantities.boardOf(slope.quantity).has_value();
   });
   prepared.groups.clear();
   for (std::size_t i = 0; i < picture.observations.size(); ++i) {
@@ -278,6 +294,12 @@ void prepareImage(const Measurements& measurements, const ImageObservation& pict
     links.add(prepared.torso->links());
     prepared.imu = groupOf(*prepared.torso, measurements.quantities, unknowns, prepared);
     prepared.imu.extras = {extraCount, extraCount + 1}; // roll and pitch of the IMU
+  }
+  for (const WitnessObservation& witness : picture.witnesses) {
+    if (witness.view) {
+      links.add(witness.view->links());
+    }
+    prepared.witnesses.push_back(groupOf(witness, measurements.quantities, unknowns, prepared));
   }
   prepared.links = links.list();
 }

@@ -31,8 +31,9 @@ struct ObservationWeight {
 class ImageNormalEquations {
 public:
   static constexpr int most = 6 + static_cast<int>(extraCount);
-  using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most, most>;
-  using Column = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most, 1>;
+  static constexpr int mostOfAll = 6 + WitnessRows::mostOwn; // of any kind of measurement
+  using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, mostOfAll, mostOfAll>;
+  using Column = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, mostOfAll, 1>;
 
   /// Resets the sums.
   void clear(std::size_t extras = 0);
@@ -79,6 +80,7 @@ struct PreparedImage {
   Group floor;                           // affects the other sole, if the robot stands on both feet
   std::optional<ObservationChain> torso; // torso over the floor, if an IMU reading exists and its tilt is an unknown
   Group imu;                             // affects the torso and the IMU
+  std::vector<Group> witnesses;          // affects each of the picture's witnesses
 };
 
 /// Computes links, groups and slope values from joints, deflections and slopes. `unknowns`: of the picture's pose,

@@ -105,6 +105,51 @@ void Residuals::addFloorContact(const ImageObservation& picture, const PreparedI
   part.freedom += 3;
 }
 
+/// `frames`: of its chain, where it has one; "optical" is the link.
+WitnessRows Residuals::compareWitness(const WitnessObservation& observation, const Workspace& work,
+                                      std::optional<CameraFrames>& frames) const {
+  if (observation.view) {
+    frames = observation.view->pathFrames(measurements_.robot, work.modelState, work.torsoFromLink);
+  }
+  return observation.witness->compare(frames ? frames->opticalFromWorld : RigidTransform{}, work.modelState);
+}
+
+/// A witness: its rows over the sigma of their level, in units of pixels, like all sums.
+void Residuals::addWitness(const WitnessObservation& observation, const PreparedImage::Group& group, Workspace& work,
+                           PosePart& part) const {
+  std::optional<CameraFrames> frames;
+  WitnessRows rows = compareWitness(observation, work, frames);
+  for (const Witness::Part& each : observation.witness->parts()) {
+    const double scale = noise_.pixel / sigmaOf(measurements_, noise_, each.level);
+    rows.residual.segment(each.first, each.count) *= scale;
+    rows.byMotion.middleRows(each.first, each.count) *= scale;
+    rows.byOwn.middleRows(each.first, each.count) *= scale;
+  }
+  const std::vector<std::size_t>& own = observation.witness->own();
+  const Eigen::Index width = 6 + eigenIndex(own.size());
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, WitnessRows::most, ImageNormalEquations::mostOfAll> all(
+      rows.residual.size(), width);
+  all << rows.byMotion, rows.byOwn;
+  work.motion.resize(width, eigenIndex(group.quantities.size()));
+  if (observation.view) {
+    observation.view->fillMotionColumns(measurements_.robot, *frames, work.modelState, work.torsoFromLink,
+                                        group.quantities, {}, work.motion);
+  } else {
+    work.motion.setZero();
+  }
+  for (std::size_t i = 0; i < group.quantities.size(); ++i) {
+    const auto found = std::find(own.begin(), own.end(), group.quantities[i]);
+    if (found != own.end()) {
+      work.motion(6 + (found - own.begin()), eigenIndex(i)) = 1;
+    }
+  }
+  work.add(all.transpose() * all, all.transpose() * rows.residual, work.motion, group);
+  work.cost += rows.residual.squaredNorm() / (noise_.pixel * noise_.pixel);
+  part.squares += rows.residual.squaredNorm();
+  part.numbers += static_cast<double>(rows.residual.size());
+  part.freedom += static_cast<double>(rows.residual.size());
+}
+
 /// IMU: the floor normal in the torso equals the one measured, with sigma `ImuNoise::angle`:
 ///   n_imu = (Ry(angleY) Rx(angleX) Ry(pitch) Rx(roll))^T z, roll and pitch the unit's tilt
 /// Uses the two horizontal components; d(n) = omega x n.
@@ -150,7 +195,7 @@ std::optional<ObservationChain> torsoOverFloor(const Measurements& measurements,
                                   [](const Term& term) { return term.effect.name == "imuTilt"; });
   const bool onFloor =
       std::any_of(picture.observations.begin(), picture.observations.end(), [&](const BoardObservation& observation) {
-        return measurements.targets[observation.view.board()].onFloor;
+        return measurements.targets[observation.view.board()].inWorld;
       });
   if (!wanted || !onFloor || picture.instant.imu.hasNaN()) {
     return std::nullopt;
@@ -282,6 +327,9 @@ bool Residuals::addPicture(const ImageObservation& picture, const PreparedImage&
   }
   if (prepared.torso) {
     addImuReading(picture, prepared, work, part);
+  }
+  for (std::size_t i = 0; i < picture.witnesses.size(); ++i) {
+    addWitness(picture.witnesses[i], prepared.witnesses[i], work, part);
   }
   return std::all_of(prepared.groups.begin(), prepared.groups.end(),
                      [&](const PreparedImage::Group& group) { return addGroup(picture, group, work, part); });
@@ -564,6 +612,29 @@ std::vector<BoardResidual> Residuals::boardResiduals(const State& state) const {
         forwardKinematics(measurements_.robot, work.modelState, prepared_[index].links, work.torsoFromLink);
         for (std::size_t i = 0; i < picture.observations.size(); ++i) {
           result.push_back(boardResidual(index, i, work));
+        }
+      }
+    }
+  }
+  return result;
+}
+
+std::vector<WitnessResidual> Residuals::witnessResiduals(const State& state) const {
+  std::vector<WitnessResidual> result;
+  Workspace& work = Workspace::threadWorkspace(measurements_);
+  for (std::size_t pose = 0; pose < columns_.size(); ++pose) {
+    const Eigen::VectorXd deflections = roots_[pose] * state.deflections[pose];
+    for (const EncoderSample& reading : measurements_.poses[pose].readings) {
+      for (std::size_t index : reading.pictures) {
+        const ImageObservation& picture = measurements_.pictures[index];
+        if (picture.witnesses.empty()) {
+          continue;
+        }
+        predictImageState(picture, prepared_[index], state.unknowns, deflections, work);
+        forwardKinematics(measurements_.robot, work.modelState, prepared_[index].links, work.torsoFromLink);
+        for (std::size_t i = 0; i < picture.witnesses.size(); ++i) {
+          std::optional<CameraFrames> frames;
+          result.push_back({index, i, compareWitness(picture.witnesses[i], work, frames).residual});
         }
       }
     }

@@ -23,6 +23,12 @@ struct BoardResidual {
                               // rows u0, v0, ..., 6 columns
 };
 
+/// Residuals of one witness.
+struct WitnessResidual {
+  std::size_t picture = 0, witness = 0;
+  Eigen::VectorXd residual; // predicted - measured [m] or [rad], as its parts say
+};
+
 /// Normal equations of a single observation for a rigid motion of its board in the optical frame (omega, v), with cross
 /// terms to the unknowns and deflections of its pose. L: `motionRows`, W: the corners' weights; before any noise level
 /// is applied.
@@ -70,6 +76,8 @@ public:
 
   /// Measured and predicted corners per observation at a state.
   std::vector<BoardResidual> boardResiduals(const State& state) const;
+  /// Witnesses at a state.
+  std::vector<WitnessResidual> witnessResiduals(const State& state) const;
   /// Motion sums of the same observations, in pose order. Absent if the state is infeasible.
   std::optional<std::vector<BoardMotionSums>> boardMotions(const State& state) const;
 
@@ -96,6 +104,10 @@ private:
                   PosePart& part) const;
   void addFloorContact(const ImageObservation& picture, const PreparedImage& prepared, Workspace& work,
                        PosePart& part) const;
+  void addWitness(const WitnessObservation& observation, const PreparedImage::Group& group, Workspace& work,
+                  PosePart& part) const;
+  WitnessRows compareWitness(const WitnessObservation& observation, const Workspace& work,
+                             std::optional<CameraFrames>& frames) const;
   bool addCorners(const BoardObservation& observation, const std::vector<std::size_t>& extras, CameraFrames& attitude,
                   Workspace& work) const;
   void addImuReading(const ImageObservation& picture, const PreparedImage& prepared, Workspace& work,

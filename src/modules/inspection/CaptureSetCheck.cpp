@@ -7,7 +7,7 @@
 #include "io/InputError.hpp"
 #include "math/Angles.hpp"
 #include "measurements/Measurements.hpp"
-#include "robot/Robot.hpp"
+#include "robot/RobotOfSet.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -84,7 +84,7 @@ bool suspectsDegrees(const nlohmann::json& document) {
 /// The robot's drawing; a model without one is a problem.
 std::optional<Robot> loadDrawing(Check& check) {
   try {
-    return loadRobot(configurationDirectory(), check.set().model);
+    return loadRobot(check.set());
   } catch (const InputError& error) {
     check.add(Severity::refused, "unknown-robot", "robot.model",
               fmt::format("\"{}\" has no drawing ({})", check.set().model, error.what()));

@@ -25,8 +25,8 @@ nlohmann::json withFormat(std::string_view format, nlohmann::json content) {
   return content;
 }
 
-nlohmann::ordered_json withFormatInOrder(std::string_view format, const nlohmann::ordered_json& content) {
-  nlohmann::ordered_json all{{"format", format}, {"version", 1}, {"writtenBy", thisProgram}};
+nlohmann::ordered_json withFormatInOrder(std::string_view format, const nlohmann::ordered_json& content, int version) {
+  nlohmann::ordered_json all{{"format", format}, {"version", version}, {"writtenBy", thisProgram}};
   all.update(content);
   return all;
 }

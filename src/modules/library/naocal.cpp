@@ -5,7 +5,7 @@
 #include "estimation/ModelBuilder.hpp"
 #include "io/Files.hpp"
 #include "io/InputError.hpp"
-#include "robot/Robot.hpp"
+#include "robot/RobotOfSet.hpp"
 
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -25,7 +25,7 @@ Captures readCaptures(const std::vector<std::filesystem::path>& folders, const s
     captures.sources.add(folder);
     sets.push_back(std::move(read.set));
   }
-  const Robot robot = loadRobot(configuration, sets.front().model);
+  const Robot robot = loadRobot(sets.front(), configuration);
   captures.measurements = buildMeasurements(std::move(sets), robot, options.samePlace);
   return captures;
 }

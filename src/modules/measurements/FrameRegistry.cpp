@@ -10,11 +10,48 @@ namespace naocal {
 
 namespace {
 
+/// Whether the robot's base stands in the world, instead of a sole.
+bool isBaseStanding(const CaptureSet& set, const Stance& stance) {
+  return !set.urdf.empty() && stance.supportLinks.empty();
+}
+
+/// Whether a placement or the base itself defines the world frame.
 bool isSurveyed(const CaptureSet& set) {
   return std::any_of(set.boards.begin(), set.boards.end(),
                      [](const Board& board) { return board.link == "floor" && board.placement.has_value(); }) ||
          std::any_of(set.stances.begin(), set.stances.end(),
-                     [](const Stance& stance) { return stance.placement.has_value(); });
+                     [&](const Stance& stance) { return stance.placement.has_value() || isBaseStanding(set, stance); });
+}
+
+/// The index of a link that something is on.
+std::size_t requireLinkOf(const CaptureSet& set, const std::string& place, const std::string& link,
+                          const Robot& robot) {
+  const auto index = robot.linkIndex(link);
+  if (!index) {
+    throw InputError{fmt::format("{}: {}: the {} has no link '{}'", set.name, place, robot.model, link)};
+  }
+  return *index;
+}
+
+/// Whether a list has an entry of this name.
+template <typename Entry> bool hasName(const std::vector<Entry>& entries, const std::string& name) {
+  return std::any_of(entries.begin(), entries.end(), [&](const Entry& entry) { return entry.name == name; });
+}
+
+std::optional<std::size_t> supportLink(const CaptureSet& set, const Stance& stance, const Robot& robot) {
+  if (isBaseStanding(set, stance)) {
+    return robot.base;
+  }
+  if (!stance.supportLinks.empty()) {
+    const Sole* const sole = robot.findSole(stance.supportLinks.front());
+    return sole ? sole->link
+                : requireLinkOf(set, fmt::format("stances[{}].supportLinks", stance.id), stance.supportLinks.front(),
+                                robot);
+  }
+  if (stance.supportFoot == SupportFoot::none) {
+    return std::nullopt; // a hanging robot gives no information about the floor
+  }
+  return robot.findSole(stance.supportFoot == SupportFoot::right ? "right" : "left")->link;
 }
 
 } // namespace
@@ -23,7 +60,8 @@ FrameRegistry::FrameRegistry(const std::vector<CaptureSet>& sets, const Robot& r
     : oneScope_{sets.size() == 1 || samePlace} {
   for (const CaptureSet& set : sets) {
     addTargets(set, robot);
-    addStances(set);
+    addStances(set, robot);
+    addInstruments(set, robot);
   }
   fixWorld(sets);
 }
@@ -46,25 +84,57 @@ void FrameRegistry::addTargets(const CaptureSet& set, const Robot& robot) {
     if (targetByName_.contains(name)) {
       continue;
     }
-    const bool onFloor = board.link == "floor";
-    if (!onFloor && !robot.linkIndex(board.link)) {
-      throw InputError{
-          fmt::format("{}: boards[{}].link: the {} has no link '{}'", set.name, board.id, robot.model, board.link)};
+    const bool isFlat = board.link == "floor", inWorld = isFlat || board.link == "world";
+    if (!inWorld) {
+      requireLinkOf(set, fmt::format("boards[{}].link", board.id), board.link, robot);
     }
     targetByName_[name] = targets_.size();
-    targets_.push_back({name, board, onFloor, !board.placement.has_value()});
+    targets_.push_back({name, board, inWorld, isFlat, !board.placement.has_value()});
   }
 }
 
-void FrameRegistry::addStances(const CaptureSet& set) {
+void FrameRegistry::addStances(const CaptureSet& set, const Robot& robot) {
   for (const Stance& stance : set.stances) {
     const std::string name = scopedId(set, std::to_string(stance.id));
     if (standingByName_.contains(name)) {
       continue;
     }
     standingByName_[name] = standings_.size();
-    standings_.push_back({name, stance.supportFoot, !stance.placement && stance.supportFoot != SupportFoot::none,
-                          stance.placement.value_or(Placement{})});
+    const bool isBase = isBaseStanding(set, stance);
+    const bool isWorld = isBase && std::none_of(standings_.begin(), standings_.end(),
+                                                [](const StanceInstance& other) { return !other.isFlat; });
+    const auto support = supportLink(set, stance, robot);
+    standings_.push_back({.name = name,
+                          .supportFoot = stance.supportFoot,
+                          .supportLink = support,
+                          .isFlat = !isBase,
+                          .unknown = !stance.placement && support && !isWorld,
+                          .placement = stance.placement.value_or(Placement{})});
+  }
+}
+
+void FrameRegistry::addInstruments(const CaptureSet& set, const Robot& robot) {
+  for (const Tracker& tracker : set.instruments.trackers) {
+    if (const std::string name = scopedId(set, tracker.id); !hasName(instruments_.trackers, name)) {
+      instruments_.trackers.push_back({name, tracker, {}});
+    }
+  }
+  for (const TrackedMarker& marker : set.instruments.markers) {
+    if (const std::string name = scopedId(set, marker.id); !hasName(instruments_.markers, name)) {
+      const std::size_t link = requireLinkOf(set, fmt::format("markers[{}].link", marker.id), marker.link, robot);
+      instruments_.markers.push_back({name, link, marker, marker.point.value_or(marker.pointGuess)});
+    }
+  }
+  for (const TrackedFrame& frame : set.instruments.frames) {
+    if (const std::string name = scopedId(set, frame.id); !hasName(instruments_.frames, name)) {
+      const std::size_t link = requireLinkOf(set, fmt::format("frames[{}].link", frame.id), frame.link, robot);
+      instruments_.frames.push_back({name, link, frame, {}});
+    }
+  }
+  for (const ContactPlace& place : set.instruments.places) {
+    if (const std::string name = scopedId(set, place.id); !hasName(instruments_.places, name)) {
+      instruments_.places.push_back({name, place, place.point.value_or(Eigen::Vector3d::Zero())});
+    }
   }
 }
 
@@ -82,7 +152,7 @@ void FrameRegistry::fixWorld(const std::vector<CaptureSet>& sets) {
   for (const CaptureSet& set : sets) {
     for (const Board& board : set.boards) {
       Target& target = targets_[targetIndex(set, board.id)];
-      if (!isSurveyed(set) && target.onFloor && seen.contains(target.name)) {
+      if (!isSurveyed(set) && target.isFlat && seen.contains(target.name)) {
         target.unknown = false;
         target.board.placement = Placement{};
         break;

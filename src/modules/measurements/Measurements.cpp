@@ -3,7 +3,10 @@
 #include "io/InputError.hpp"
 #include "measurements/EncoderReadings.hpp"
 #include "measurements/FrameRegistry.hpp"
+#include "measurements/InitialPlacements.hpp"
 #include "measurements/Noise.hpp"
+#include "measurements/WitnessSource.hpp"
+#include "robot/Kinematics.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -121,6 +124,16 @@ std::vector<double> jitterOf(std::vector<std::vector<RestReadings>> readings, co
   return result;
 }
 
+/// Step of a joint's encoder [rad]; 0 where the set of a robot with a URDF does not tell it.
+double stepOf(const Measurements& measurements, std::size_t joint) {
+  const CaptureSet& set = measurements.sets->front();
+  if (set.urdf.empty()) {
+    return encoderStep;
+  }
+  const auto step = set.encoderSteps.find(measurements.robot.joints[joint].name);
+  return step == set.encoderSteps.end() ? 0 : step->second;
+}
+
 /// Assigns each joint of each rest its encoder error, and its most likely angle to all pictures of the rest.
 void placeJoints(const std::vector<std::vector<Rest>>& restsOf, const std::vector<std::vector<RestReadings>>& readings,
                  Measurements& measurements) {
@@ -140,8 +153,9 @@ void placeJoints(const std::vector<std::vector<Rest>>& restsOf, const std::vecto
         const RestReadings& read = readings[joint][next];
         const RestReadings::Place place = read.place(measurements.jitter[joint]);
         if (isNew) {
+          const double usual = stepOf(measurements, measurements.robot.joints[joint].motor) / encoderStep;
           pose.encoderErrors.push_back(
-              {measurements.jitter[joint] > 0 ? std::sqrt(place.variance) / rounding : 1, stance});
+              {measurements.jitter[joint] > 0 ? std::sqrt(place.variance) / rounding : usual, stance});
         }
         for (const std::size_t reading : rest.readings) {
           for (const std::size_t index : pose.readings[reading].pictures) {
@@ -203,7 +217,7 @@ std::vector<std::vector<Rest>> groupReadings(Measurements& measurements) {
   const auto& pictures = measurements.pictures;
   std::map<std::pair<std::size_t, std::string>, std::vector<std::size_t>> poses;
   for (std::size_t i = 0; i < pictures.size(); ++i) {
-    if (!pictures[i].observations.empty()) {
+    if (!pictures[i].measuresNothing()) {
       poses[{pictures[i].set, measurements.captureOf(pictures[i]).pose}].push_back(i);
     }
   }
@@ -234,6 +248,11 @@ std::vector<std::size_t> observedMotors(const Measurements& measurements) {
   for (const ImageObservation& picture : measurements.pictures) {
     for (const BoardObservation& observation : picture.observations) {
       use(observation.view);
+    }
+    for (const WitnessObservation& witness : picture.witnesses) {
+      if (witness.view) {
+        use(*witness.view);
+      }
     }
     if (picture.otherSole) {
       use(*picture.otherSole);
@@ -304,8 +323,18 @@ std::vector<std::size_t> recordedMotors(const std::vector<CaptureSet>& sets, con
   return result;
 }
 
-/// Values of `list` per joint of the robot, or NaN. Joints of one motor share a value.
-Eigen::VectorXd perJoint(const Robot& robot, const CaptureSet& set, const std::vector<double>& list) {
+/// How a joint that mimics follows its motor's joint: as its angle, as its speed, or with the same value.
+enum class Follows { angle, speed, value };
+
+double followed(const Joint& joint, double ofMotor, Follows how) {
+  return how == Follows::angle   ? joint.ratio * ofMotor + joint.shift
+         : how == Follows::speed ? joint.ratio * ofMotor
+                                 : ofMotor;
+}
+
+/// Values of `list` per joint of the robot, or NaN. Joints of one motor follow it; where only another of its joints was
+/// recorded, that joint's ratio tells the motor's.
+Eigen::VectorXd perJoint(const Robot& robot, const CaptureSet& set, const std::vector<double>& list, Follows how) {
   Eigen::VectorXd values =
       Eigen::VectorXd::Constant(static_cast<Eigen::Index>(robot.joints.size()), RobotSample::nothing);
   for (std::size_t i = 0; i < list.size(); ++i) {
@@ -317,10 +346,12 @@ Eigen::VectorXd perJoint(const Robot& robot, const CaptureSet& set, const std::v
     const auto own = static_cast<Eigen::Index>(joint);
     const auto motor = static_cast<Eigen::Index>(robot.joints[joint].motor);
     if (own != motor) {
-      if (std::isnan(values[motor])) {
-        values[motor] = values[own];
+      const Joint& follower = robot.joints[joint];
+      if (std::isnan(values[motor]) && (how == Follows::value || follower.ratio != 0)) {
+        values[motor] =
+            how == Follows::value ? values[own] : (values[own] - followed(follower, 0, how)) / follower.ratio;
       }
-      values[own] = values[motor];
+      values[own] = followed(follower, values[motor], how);
     }
   }
   return values;
@@ -337,21 +368,26 @@ double leftLoad(const Capture& capture) {
   return left + right > 0 ? left / (left + right) : RobotSample::nothing;
 }
 
-std::size_t targetLink(const Robot& robot, const Target& target, SupportFoot foot) {
-  return target.onFloor ? robot.findSole(foot == SupportFoot::right ? "right" : "left")->link
-                        : *robot.linkIndex(target.board.link);
-}
-
 void addObservation(const CaptureSet& set, const Capture& capture, const BoardCorners& corners, std::size_t targetIndex,
                     const Measurements& measurements, ImageObservation& result) {
   const Robot& robot = measurements.robot;
   const Target& target = measurements.targets[targetIndex];
-  if (corners.ids.empty() || (target.onFloor && capture.supportFoot == SupportFoot::none)) {
-    return; // a hanging robot gives no information about the floor
+  const std::optional<std::size_t> support = measurements.stances[result.stance].supportLink;
+  if (corners.ids.empty() || (target.inWorld && !support)) {
+    return;
   }
-  ObservationChain view{robot,          measurements.quantities,
-                        result.camera,  targetLink(robot, target, capture.supportFoot),
-                        target.onFloor, targetIndex};
+  const std::size_t link = target.inWorld ? *support : *robot.linkIndex(target.board.link);
+  const bool standsBeside = robot.cameras[result.camera].inWorld;
+  if (standsBeside && (!support || target.inWorld)) {
+    return; // tells nothing about the robot
+  }
+  ObservationChain view{robot,
+                        measurements.quantities,
+                        result.camera,
+                        link,
+                        target.inWorld,
+                        targetIndex,
+                        standsBeside ? support : std::nullopt};
   for (std::size_t joint : view.joints()) {
     if (std::isnan(result.instant.q[static_cast<Eigen::Index>(joint)])) {
       throw InputError{fmt::format("{}: capture {}: joints.measured: {} was not recorded but board {} is seen along it",
@@ -372,20 +408,46 @@ void drawAngles(const Robot& robot, ImageObservation& result) {
   }
 }
 
-/// Sets the file's lens and known or guessed placements.
-void drawScene(const CameraIntrinsics& camera, const Measurements& measurements, ImageObservation& result) {
+Twist toNumbers(const Placement& p) {
+  return (Twist{} << p.x, p.y, p.z, p.roll, p.pitch, p.yaw).finished();
+}
+
+void drawLens(const CameraIntrinsics& camera, ImageObservation& result) {
   result.nominal.lens().head<4>() << camera.fx, camera.fy, camera.cx, camera.cy;
   for (std::size_t i = 0; i < camera.distortion.size(); ++i) {
     result.nominal.lens()[static_cast<Eigen::Index>(4 + i)] = camera.distortion[i];
   }
-  const auto numbers = [](const Placement& p) {
-    return (Eigen::Matrix<double, 6, 1>{} << p.x, p.y, p.z, p.roll, p.pitch, p.yaw).finished();
-  };
-  result.nominal.worldFromSupport() = numbers(measurements.stances[result.stance].placement);
+}
+
+/// Sets known or guessed placements.
+void drawScene(const Measurements& measurements, ImageObservation& result) {
+  result.nominal.worldFromSupport() = toNumbers(measurements.stances[result.stance].placement);
   for (std::size_t target = 0; target < measurements.targets.size(); ++target) {
     const Board& board = measurements.targets[target].board;
-    result.nominal.boardPlacement(target) = numbers(board.placement.value_or(board.placementGuess));
+    result.nominal.boardPlacement(target) = toNumbers(board.placement.value_or(board.placementGuess));
   }
+}
+
+/// Sets the placements of instruments and what they measure; unknown ones count from their references.
+void drawInstruments(const InstrumentList& instruments, ModelState& nominal) {
+  for (std::size_t i = 0; i < instruments.trackers.size(); ++i) {
+    nominal.trackerPlacement(i) = toNumbers(instruments.trackers[i].tracker.placement.value_or(Placement{}));
+  }
+  for (std::size_t i = 0; i < instruments.markers.size(); ++i) {
+    const TrackedMarker& marker = instruments.markers[i].marker;
+    nominal.marker(i) = marker.point.value_or(marker.pointGuess);
+  }
+  for (std::size_t i = 0; i < instruments.frames.size(); ++i) {
+    nominal.framePlacement(i) = toNumbers(instruments.frames[i].frame.placement.value_or(Placement{}));
+  }
+  for (std::size_t i = 0; i < instruments.places.size(); ++i) {
+    nominal.place(i) = instruments.places[i].place.point.value_or(Eigen::Vector3d::Zero());
+  }
+}
+
+/// Against gravity, in the support's frame.
+Eigen::Vector3d upInSupport(const CaptureSet& set, const StanceInstance& stance) {
+  return transformFromPlacement(toNumbers(stance.placement)).rotation.transpose() * -set.gravity.normalized();
 }
 
 /// Converts one capture to the robot's joints, cameras and targets. Requires robot, quantities and targets in
@@ -396,39 +458,95 @@ ImageObservation makeImageObservation(std::size_t setIndex, std::size_t index, c
   const Robot& robot = measurements.robot;
   const CaptureSet& set = (*measurements.sets)[setIndex];
   const Capture& capture = set.captures[index];
-  if (!capture.corners) {
+  const bool hasPicture = !capture.camera.empty();
+  if (hasPicture && !capture.corners) {
     throw InputError{fmt::format("{}: captures[{}] (id {}): no corners yet; run 'naocal detect {}' first", set.name,
                                  index, capture.id, set.name)};
   }
   const auto camera = robot.cameraIndex(capture.camera);
-  if (!camera) {
+  if (hasPicture && !camera) {
     throw InputError{fmt::format("{}: captures[{}].camera: the {} has no camera '{}'", set.name, index, robot.model,
                                  capture.camera)};
   }
   ImageObservation result{.set = setIndex,
                           .capture = index,
-                          .camera = *camera,
+                          .camera = camera.value_or(ImageObservation::noCamera),
                           .stance = places.stanceIndex(set, capture.stance),
                           .instant = {.time = capture.time,
                                       .supportFoot = capture.supportFoot,
-                                      .q = perJoint(robot, set, capture.joints.measured),
-                                      .velocity = perJoint(robot, set, capture.joints.velocity),
-                                      .approach = perJoint(robot, set, capture.joints.approach),
-                                      .temperature = perJoint(robot, set, capture.joints.temperature),
-                                      .current = perJoint(robot, set, capture.joints.current),
+                                      .q = perJoint(robot, set, capture.joints.measured, Follows::angle),
+                                      .velocity = perJoint(robot, set, capture.joints.velocity, Follows::speed),
+                                      .approach = perJoint(robot, set, capture.joints.approach, Follows::value),
+                                      .temperature = perJoint(robot, set, capture.joints.temperature, Follows::value),
+                                      .current = perJoint(robot, set, capture.joints.current, Follows::value),
                                       .imu = capture.imu.value_or(Eigen::Vector2d::Constant(RobotSample::nothing)),
                                       .leftLoad = leftLoad(capture)},
                           .nominal = nominalState(robot, measurements.quantities),
                           .observations = {}};
-  for (const BoardCorners& corners : *capture.corners) {
+  if (!set.urdf.empty()) {
+    const StanceInstance& stance = measurements.stances[result.stance];
+    result.instant.supportLink = stance.supportLink;
+    result.instant.upInSupport = upInSupport(set, stance);
+  }
+  for (const BoardCorners& corners : capture.corners.value_or(std::vector<BoardCorners>{})) {
     addObservation(set, capture, corners, places.targetIndex(set, corners.board), measurements, result);
   }
   drawAngles(robot, result);
-  drawScene(set.cameras.at(capture.camera), measurements, result);
+  drawScene(measurements, result);
+  if (hasPicture) {
+    drawLens(set.cameras.at(capture.camera), result);
+  }
   return result;
 }
 
+/// Estimates unknown placements of a robot with a URDF, and lets the state's numbers count from them.
+void referPlacements(Measurements& measurements, const FrameRegistry& places) {
+  placeInitially(measurements, [&](const CaptureSet& set, const std::string& id) { return places.scopedId(set, id); });
+  for (ImageObservation& picture : measurements.pictures) {
+    for (BoardObservation& observation : picture.observations) {
+      observation.view.setReference(measurements.targets[observation.view.board()].reference);
+    }
+    drawInstruments(measurements.instruments, picture.nominal);
+  }
+}
+
+/// Adds the measurements other than corners: those of each capture, and the distances, which belong to none, to the
+/// first picture.
+void addWitnesses(Measurements& measurements, const FrameRegistry& places) {
+  for (ImageObservation& picture : measurements.pictures) {
+    const CaptureSet& set = measurements.setOf(picture);
+    const Capture& capture = measurements.captureOf(picture);
+    const Eigen::VectorXd recorded = perJoint(measurements.robot, set, capture.joints.measured, Follows::angle);
+    WitnessSource source{.set = set,
+                         .capture = capture,
+                         .stance = picture.stance,
+                         .recorded = recorded,
+                         .measurements = measurements,
+                         .nameOf = [&](const std::string& id) { return places.scopedId(set, id); },
+                         .witnesses = picture.witnesses};
+    for (const auto& addKind : witnessKinds()) {
+      addKind(source);
+    }
+    measurements.witnessCount += picture.witnesses.size();
+  }
+  for (const CaptureSet& set : *measurements.sets) {
+    for (WitnessObservation& distance :
+         makePlaceDistances(measurements, set, [&](const std::string& id) { return places.scopedId(set, id); })) {
+      measurements.pictures.front().witnesses.push_back(std::move(distance));
+    }
+  }
+}
+
 } // namespace
+
+bool Measurements::isCameraUnknown(std::size_t camera) const {
+  const auto mounting = sets->front().mountings.find(robot.cameras[camera].name);
+  return robot.cameras[camera].inWorld && mounting != sets->front().mountings.end() && !mounting->second.placement;
+}
+
+double sigmaOf(const Measurements& measurements, const Noise& noise, std::size_t level) {
+  return noise.readings.empty() ? measurements.levels[level].sigma : noise.readings[level];
+}
 
 std::vector<std::size_t> posesOfPictures(const Measurements& measurements) {
   std::vector<std::size_t> result(measurements.pictures.size());
@@ -450,7 +568,17 @@ Measurements buildMeasurements(std::vector<CaptureSet> given, const Robot& robot
   const std::vector<CaptureSet>& sets = *result.sets;
   result.robot = robot;
   result.samePlace = samePlace;
-  result.quantities = StateLayout{robot.joints.size(), robot.lengths.size(), places.targets().size()};
+  result.instruments = places.instruments();
+  const InstrumentList& instruments = result.instruments;
+  const bool isUrdf = !sets.front().urdf.empty();
+  result.quantities = StateLayout{robot.joints.size(),
+                                  robot.lengths.size(),
+                                  places.targets().size(),
+                                  {.trackers = instruments.trackers.size(),
+                                   .markers = instruments.markers.size(),
+                                   .frames = instruments.frames.size(),
+                                   .places = instruments.places.size(),
+                                   .hasLinkSteps = isUrdf}};
   result.targets = places.targets();
   result.stances = places.stances();
   result.recordedMotors = recordedMotors(sets, robot);
@@ -465,6 +593,10 @@ Measurements buildMeasurements(std::vector<CaptureSet> given, const Robot& robot
       }
     }
   }
+  if (isUrdf || !instruments.trackers.empty() || !instruments.places.empty()) {
+    referPlacements(result, places);
+    addWitnesses(result, places);
+  }
   groupByPose(result);
   return result;
 }
@@ -478,6 +610,11 @@ std::vector<std::size_t> observedJoints(const Robot& robot, const ImageObservati
   };
   for (const BoardObservation& observation : picture.observations) {
     add(observation.view);
+  }
+  for (const WitnessObservation& witness : picture.witnesses) {
+    if (witness.view) {
+      add(*witness.view);
+    }
   }
   if (picture.otherSole) {
     add(*picture.otherSole);

@@ -3,9 +3,14 @@
 #include "camera/ObservationChain.hpp"
 #include "data/Capture.hpp"
 #include "effects/Effect.hpp"
+#include "measurements/Instruments.hpp"
+#include "measurements/Noise.hpp"
+#include "measurements/Witness.hpp"
 
 #include <cstddef>
+#include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,27 +28,36 @@ struct BoardObservation {
 struct Target {
   std::string name; // "A", or "<set>/A" with several sets
   Board board;
-  bool onFloor = true;
+  bool inWorld = true; // fixed in the world, not to a link
+  bool isFlat = true;  // lies on the floor
   bool unknown = false;
+  RigidTransform reference; // linkFromBoard or worldFromBoard = reference * T(its placement in the state)
 };
 
-/// A stance of one of the sets. `unknown`: the support foot's placement is estimated.
+/// A stance of one of the sets. `unknown`: the placement of its support is estimated.
 struct StanceInstance {
   std::string name; // "0", or "<set>/0"
   SupportFoot supportFoot = SupportFoot::none;
+  std::optional<std::size_t> supportLink; // link that stands in the world: a sole, or the base; absent: it hangs
+  bool isFlat = true;                     // the support rests on the floor; else it stands anyhow (6-D)
   bool unknown = false;
   Placement placement; // as surveyed, otherwise zero
 };
 
-/// One picture with all data recorded for it, indexed by the robot's joints.
+/// One picture, or other readings of one instant, with all data recorded for it, indexed by the robot's joints.
 struct ImageObservation {
-  std::size_t set = 0, capture = 0; // indices of the set and of the capture within it
-  std::size_t camera = 0, stance = 0;
-  RobotSample instant; // q = measured angles [rad], rest angles where not recorded
-  ModelState nominal;  // nominal geometry, the file's lens, measured angles, known or guessed placements
+  static constexpr std::size_t noCamera = std::numeric_limits<std::size_t>::max();
+
+  std::size_t set = 0, capture = 0;   // indices of the set and of the capture within it
+  std::size_t camera = 0, stance = 0; // `noCamera`: no picture
+  RobotSample instant;                // q = measured angles [rad], rest angles where not recorded
+  ModelState nominal;                 // nominal geometry, the file's lens, measured angles, known or guessed placements
   std::vector<BoardObservation> observations;
+  std::vector<WitnessObservation> witnesses; // measurements other than corners
   std::optional<ObservationChain>
       otherSole; // both feet on the floor, once per pose: chain from the right sole to the left sole's floor
+
+  bool measuresNothing() const { return observations.empty() && witnesses.empty(); }
 };
 
 /// Pictures with the same encoder reading.
@@ -75,19 +89,27 @@ struct Measurements {
   StateLayout quantities{0, 0, 0};
   std::vector<Target> targets;
   std::vector<StanceInstance> stances;
+  InstrumentList instruments;
+  std::vector<ReadingLevel> levels; // noise levels of witnesses
   std::vector<ImageObservation> pictures;
   std::vector<PoseGroup> poses;
   std::vector<std::size_t> joints;         // motors of joints between a camera and a target, ascending
   std::vector<std::size_t> recordedMotors; // motors whose angle is recorded in every capture, ascending
   std::vector<double> jitter; // per joint of the robot: encoder jitter at rest [rad]; 0: readings never differ
-  std::size_t cornerCount = 0;
+  std::size_t cornerCount = 0, witnessCount = 0;
   bool hasRepeats = false; // a pose was captured more than once
   bool samePlace = false;  // boards and stances of equal id are the same in all sets
+
+  /// Whether a camera stands beside the robot at an unknown place.
+  bool isCameraUnknown(std::size_t camera) const;
 
   /// The set and the capture that a picture was made from.
   const CaptureSet& setOf(const ImageObservation& picture) const { return (*sets)[picture.set]; }
   const Capture& captureOf(const ImageObservation& picture) const { return setOf(picture).captures[picture.capture]; }
 };
+
+/// 1 sigma of a noise level of readings [m] or [rad].
+double sigmaOf(const Measurements& measurements, const Noise& noise, std::size_t level);
 
 /// Pose index of each picture; 0 for a picture without corners, which belongs to no pose.
 std::vector<std::size_t> posesOfPictures(const Measurements& measurements);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace naocal {
 
@@ -14,8 +15,9 @@ struct Noise {
   double encoder = encoderStep / std::sqrt(12.0); // encoder reading whose steps never differ at rest, per joint [rad]
   double pose = 0;                                // joint error shared within a pose (stiction), per joint [rad]
   double stance = 0;                              // joint error shared within a stance, per joint [rad]
-  double reapproach = 0; // joint error shared until the pose is left and re-approached, per joint [rad]
-  double pixelAlike = 0; // corner, per axis, shared by all pictures of a rest: subpixel bias [px]
+  double reapproach = 0;             // joint error shared until the pose is left and re-approached, per joint [rad]
+  double pixelAlike = 0;             // corner, per axis, shared by all pictures of a rest: subpixel bias [px]
+  std::vector<double> readings = {}; // of `Measurements::levels` [m] or [rad]; empty: as these say
 };
 
 /// Weight of a corner seen in `repeats` pictures of one rest, relative to a corner with independent errors:

@@ -5,7 +5,7 @@
 #include "io/Files.hpp"
 #include "io/GreyImage.hpp"
 #include "io/InputError.hpp"
-#include "robot/Robot.hpp"
+#include "robot/RobotOfSet.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -182,7 +182,7 @@ std::optional<double> SourceCaptures::nominalRms() const {
     return std::nullopt;
   }
   try {
-    const Robot robot = loadRobot(configurationDirectory(), sets.front().model);
+    const Robot robot = loadRobot(sets.front());
     return compare(StoredResult{}, sets, robot, false).nominal.rmsPx;
   } catch (const InputError&) { // no drawing of this robot, or corners behind a camera
     return std::nullopt;

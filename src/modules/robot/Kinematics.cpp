@@ -77,6 +77,11 @@ void forwardKinematics(const Robot& robot, const ModelState& modelState, const s
     if (link.rotation) {
       torsoFromThis.rotation *= *link.rotation;
     }
+    if (link.joint && modelState.layout().scene().hasLinkSteps) {
+      const auto step = modelState.linkStep(*link.joint);
+      torsoFromThis.translation += torsoFromThis.rotation * step.head<3>();
+      torsoFromThis.rotation *= rotationX(step[3]) * rotationY(step[4]) * rotationZ(step[5]);
+    }
     if (link.joint) {
       const Eigen::Vector3d motion = modelState.axis(*link.joint) * modelState.angle(*link.joint);
       if (robot.joints[*link.joint].isPrismatic) {
@@ -110,6 +115,35 @@ RigidTransform transformFromPlacement(const Eigen::Ref<const Eigen::Matrix<doubl
                           {sy * cp, sy * sp * sr + cy * cr, sy * sp * cr - cy * sr},
                           {-sp, cp * sr, cp * cr}},
           placement.head<3>()};
+}
+
+Eigen::Matrix<double, 6, 1> placementFromTransform(const RigidTransform& transform) {
+  const Eigen::Matrix3d& r = transform.rotation;
+  const double pitch = std::atan2(-r(2, 0), std::hypot(r(0, 0), r(1, 0)));
+  Eigen::Matrix<double, 6, 1> placement;
+  placement << transform.translation, std::atan2(r(2, 1), r(2, 2)), pitch, std::atan2(r(1, 0), r(0, 0));
+  return placement;
+}
+
+Twist twistAbout(const Eigen::Vector3d& axis, const Eigen::Vector3d& pivot) {
+  Twist twist; // p moves by omega x (p - pivot) = omega x p + pivot x omega
+  twist.head<3>() = axis;
+  twist.tail<3>() = pivot.cross(axis);
+  return twist;
+}
+
+Twist placementMotion(const RigidTransform& observerFromParent, const Twist& placement, std::size_t number) {
+  Twist twist = Twist::Zero();
+  if (number < 3) {
+    twist.tail<3>() = observerFromParent.rotation.col(static_cast<Eigen::Index>(number));
+    return twist;
+  }
+  // parentFromFrame = T Rz(yaw) Ry(pitch) Rx(roll)
+  const double pitch = placement[4], yaw = placement[5];
+  const Eigen::Vector3d axis = number == 3   ? rotationZ(yaw) * rotationY(pitch).col(0)
+                               : number == 4 ? Eigen::Vector3d{-std::sin(yaw), std::cos(yaw), 0}
+                                             : Eigen::Vector3d::UnitZ();
+  return twistAbout(observerFromParent.rotation * axis, observerFromParent * Eigen::Vector3d{placement.head<3>()});
 }
 
 RigidTransform linkFromCamera(const CameraMount& mount, const ModelState& modelState) {

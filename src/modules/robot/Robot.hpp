@@ -63,17 +63,18 @@ struct Link {
 };
 
 /// Nominal mount of a camera: linkFromCamera = T(translation) * rotation; camera axes x forward (optical axis), y left,
-/// z up.
+/// z up. A camera that stands beside the robot has worldFromCamera instead.
 struct CameraMount {
   std::string name;
   std::size_t link = 0;
+  bool inWorld = false;
   Eigen::Vector3d translation = Eigen::Vector3d::Zero(); // [m]
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
 };
 
 /// A sole. Its frame is that of its link: origin below the ankle, on the floor, x forward.
 struct Sole {
-  std::string name; // "left" or "right"
+  std::string name; // "left" or "right"; of a robot with a URDF the foot's link
   std::size_t link = 0;
   std::vector<Eigen::Vector2d> outline;      // convex, counter-clockwise, in the sole frame [m]
   std::vector<Eigen::Vector2d> forceSensors; // FL, FR, RL, RR in the sole frame [m]
@@ -89,6 +90,7 @@ struct Capsule {
 /// Description of a robot: a tree of links with masses, joints and cameras. Parents precede their children.
 struct Robot {
   std::string model;
+  std::size_t base = 0; // link that stands in the world, where no foot does
   std::vector<Length> lengths;
   std::vector<Link> links;
   std::vector<Joint> joints;

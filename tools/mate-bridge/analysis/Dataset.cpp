@@ -6,6 +6,7 @@
 #include "io/Files.hpp"
 #include "io/InputError.hpp"
 #include "io/JsonReader.hpp"
+#include "robot/RobotOfSet.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -216,7 +217,7 @@ Dataset openDataset(const std::vector<std::string>& paths, const std::vector<std
   if (opened.sets.empty()) {
     throw InputError{"expected a folder with captures.json, a result or a diagnosis; found none"};
   }
-  opened.robot = loadRobot(configurationDirectory(), opened.sets.front().model);
+  opened.robot = loadRobot(opened.sets.front());
   return opened;
 }
 

@@ -42,8 +42,17 @@ void readModel(DiagnoseCommand& command, const Robot& robot) {
   command.definitions = file.definitions;
 }
 
+bool isNao(const Measurements& measurements) {
+  return measurements.sets->front().urdf.empty();
+}
+
 /// Proposes the next poses; only the open questions if no poses are needed.
 NextPoses asked(const DiagnoseCommand& command, const Measurements& measurements, const Diagnosis& diagnosis) {
+  if (!isNao(measurements)) {
+    NextPoses none;
+    none.whyNone = "poses are planned for NAOs only";
+    return none;
+  }
   NextPosesOptions options = command.next;
   options.count = command.json.empty() && command.poses.empty() ? 0 : options.count;
   options.seed = command.options.candidateTests.seed;
@@ -97,7 +106,8 @@ int diagnose(DiagnoseCommand& command) {
   const NextPoses next = asked(command, measurements, diagnosis);
   if (!command.json.empty()) {
     nlohmann::json json = diagnosisJson(diagnosis, command.full ? allOfThem : drawable);
-    json["next"] = nextPosesJson(next, given.robot);
+    json["next"] = isNao(measurements) ? nextPosesJson(next, given.robot)
+                                       : nlohmann::json{{"poses", nlohmann::json::array()}, {"why", next.whyNone}};
     json["inputs"] = toJson(given.inputs.placedBeside(command.json));
     writeJson(json, command.json);
   }

@@ -37,7 +37,12 @@ const char* places(const Effect& effect) {
     return "neckZ, hipZ, hipY, thigh, tibia, footZ";
   case PlaceKind::all:
     return "all";
+  case PlaceKind::tracker:
+    return "tracker id";
   case PlaceKind::stance:
+  case PlaceKind::marker:
+  case PlaceKind::frame:
+  case PlaceKind::place:
     break;
   }
   return "stance";
@@ -48,6 +53,8 @@ const char* key(Driver driver) {
   switch (driver) {
   case Driver::torque:
   case Driver::torqueGrowth:
+  case Driver::lateral1:
+  case Driver::lateral2:
     return "fsr (on both feet)";
   case Driver::com:
     return "a support foot";
@@ -124,6 +131,10 @@ std::vector<std::string> namesOfPlaces(const Effect& effect, const Robot& robot)
     }
     break;
   case PlaceKind::stance:
+  case PlaceKind::tracker:
+  case PlaceKind::marker:
+  case PlaceKind::frame:
+  case PlaceKind::place:
     break;
   }
   return names;

@@ -4,6 +4,7 @@
 #include "console/PrintText.hpp"
 #include "data/CaptureSetFile.hpp"
 #include "io/InputError.hpp"
+#include "robot/RobotOfSet.hpp"
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
@@ -60,7 +61,7 @@ LoadedSets loadSets(const std::vector<std::string>& folders, bool skipBad) {
     printText(stderr, "{} captures: this takes minutes and much memory; a few hundred are enough for a calibration\n",
               captures);
   }
-  given.robot = loadRobot(configurationDirectory(), given.sets.front().model);
+  given.robot = loadRobot(given.sets.front());
   return given;
 }
 

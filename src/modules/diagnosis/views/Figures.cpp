@@ -15,6 +15,9 @@ CaptureIndex indexCaptures(const Measurements& measurements) {
   for (const ImageObservation& picture : measurements.pictures) {
     const Capture& capture = measurements.captureOf(picture);
     result.pictures.push_back({capture.id, capture.camera});
+    if (capture.camera.empty()) {
+      continue;
+    }
     const CameraIntrinsics& lens = measurements.setOf(picture).cameras.at(capture.camera);
     result.cameras[capture.camera] = {lens.width, lens.height};
   }

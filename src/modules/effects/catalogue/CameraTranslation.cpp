@@ -4,7 +4,7 @@ namespace naocal {
 
 /// The camera is shifted in the head frame.
 Effect cameraTranslation() {
-  return {.name = "cameraTranslation",
+  return {.name = effectName::cameraTranslation,
           .description = "the camera sits shifted in the head",
           .formula = "headFromCamera = T(x, y, z) * nominal",
           .placeKind = PlaceKind::camera,

@@ -272,7 +272,7 @@ std::vector<LocalScene> findLocalScenes(const FittedModel& fitted) {
     const ImageObservation*& last = latest[foot];
     last = !last || last->instant.time < picture.instant.time ? &picture : last;
     for (const BoardObservation& observation : picture.observations) {
-      if (measurements.targets[observation.view.board()].onFloor) {
+      if (measurements.targets[observation.view.board()].inWorld) {
         seen.insert(observation.view.board());
       }
     }

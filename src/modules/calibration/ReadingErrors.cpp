@@ -1,0 +1,145 @@
+#include "calibration/ReadingErrors.hpp"
+
+#include "math/Angles.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+namespace naocal {
+
+namespace {
+
+using nlohmann::json;
+
+json summaryJson(const ReadingSummary& summary) {
+  return {{"rms", summary.rms},
+          {"mean", summary.mean},
+          {"median", summary.median},
+          {"max", summary.max},
+          {"points", summary.points}};
+}
+
+json summariesJson(const std::map<std::string, ReadingSummary>& summaries) {
+  json result = json::object();
+  for (const auto& [name, summary] : summaries) {
+    result[name] = summaryJson(summary);
+  }
+  return result;
+}
+
+using Lengths = std::map<std::string, std::vector<double>>;
+
+std::map<std::string, ReadingSummary> summarizeAll(const Lengths& lengths) {
+  std::map<std::string, ReadingSummary> result;
+  for (const auto& [name, all] : lengths) {
+    result[name] = summarizeLengths(all);
+  }
+  return result;
+}
+
+} // namespace
+
+ReadingSummary summarizeLengths(std::vector<double> lengths) {
+  ReadingSummary result{.points = lengths.size()};
+  if (lengths.empty()) {
+    return result;
+  }
+  const auto count = static_cast<double>(lengths.size());
+  for (const double length : lengths) {
+    result.rms += length * length / count;
+    result.mean += length / count;
+    result.max = std::max(result.max, length);
+  }
+  result.rms = std::sqrt(result.rms);
+  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+  std::nth_element(lengths.begin(), middle, lengths.end());
+  result.median = *middle;
+  return result;
+}
+
+ReadingErrors summarizeReadings(const Measurements& measurements, const std::vector<WitnessResidual>& residuals) {
+  Lengths metres, radians;
+  std::map<std::string, Lengths> byMarker;
+  std::vector<double> contacts;
+  for (const WitnessResidual& one : residuals) {
+    const Witness& witness = *measurements.pictures[one.picture].witnesses[one.witness].witness;
+    for (const Witness::Part& part : witness.parts()) {
+      const ReadingLevel& level = measurements.levels[part.level];
+      const double length = one.residual.segment(part.first, part.count).norm();
+      if (level.name == contactLevel) {
+        contacts.push_back(length);
+      } else if (witness.target().empty()) {
+        continue; // distances between places are no error of the robot
+      } else if (level.unit == ReadingLevel::Unit::radians) {
+        radians[level.name].push_back(length);
+      } else {
+        metres[level.name].push_back(length);
+        byMarker[level.name][witness.target()].push_back(length);
+      }
+    }
+  }
+  ReadingErrors errors{summarizeAll(metres), summarizeAll(radians), {}, {}};
+  for (const auto& [tracker, lengths] : byMarker) {
+    errors.byMarker[tracker] = summarizeAll(lengths);
+  }
+  if (!contacts.empty()) {
+    errors.contacts = summarizeLengths(contacts);
+  }
+  return errors;
+}
+
+json toJson(const ReadingErrors& errors) {
+  json result = json::object();
+  if (!errors.metres.empty()) {
+    result["metres"] = summariesJson(errors.metres);
+    for (const auto& [tracker, summaries] : errors.byMarker) {
+      result["byMarker"][tracker] = summariesJson(summaries);
+    }
+  }
+  if (!errors.radians.empty()) {
+    result["radians"] = summariesJson(errors.radians);
+  }
+  if (errors.contacts) {
+    result["contacts"] = summaryJson(*errors.contacts);
+  }
+  return result;
+}
+
+std::vector<double> scaledDistances(const Measurements& measurements, const std::vector<WitnessResidual>& residuals,
+                                    const Noise& noise) {
+  std::vector<double> distances;
+  for (const WitnessResidual& one : residuals) {
+    for (const Witness::Part& part : measurements.pictures[one.picture].witnesses[one.witness].witness->parts()) {
+      const double perAxis =
+          one.residual.segment(part.first, part.count).norm() / std::sqrt(static_cast<double>(part.count));
+      distances.push_back(std::sqrt(2) * noise.pixel * perAxis / sigmaOf(measurements, noise, part.level));
+    }
+  }
+  return distances;
+}
+
+std::vector<double> collectDistances(const Residuals& residuals, const Residuals::State& state) {
+  const Measurements& measurements = residuals.measurements();
+  return measurements.cornerCount > 0
+             ? collectDistances(residuals.boardResiduals(state))
+             : scaledDistances(measurements, residuals.witnessResiduals(state), residuals.noise());
+}
+
+std::string formatSizes(const ReadingErrors& errors) {
+  std::vector<std::string> sizes;
+  for (const auto& [tracker, summary] : errors.metres) {
+    sizes.push_back(fmt::format("{:.3g} mm ({})", 1e3 * summary.rms, tracker));
+  }
+  for (const auto& [tracker, summary] : errors.radians) {
+    sizes.push_back(fmt::format("{:.3g}° ({})", degrees(summary.rms), tracker));
+  }
+  if (errors.contacts) {
+    sizes.push_back(fmt::format("{:.3g} mm (contacts)", 1e3 * errors.contacts->rms));
+  }
+  return fmt::format("{}", fmt::join(sizes, ", "));
+}
+
+} // namespace naocal

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "estimation/Residuals.hpp"
+
+#include <map>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace naocal {
+
+/// Lengths of error vectors [m] or [rad]: rms = sqrt(mean(|d|^2)).
+struct ReadingSummary {
+  double rms = 0, mean = 0, median = 0, max = 0;
+  std::size_t points = 0;
+};
+ReadingSummary summarizeLengths(std::vector<double> lengths);
+
+/// Errors of measurements other than corners.
+struct ReadingErrors {
+  std::map<std::string, ReadingSummary> metres, radians;                 // by tracker
+  std::map<std::string, std::map<std::string, ReadingSummary>> byMarker; // by tracker and marker or frame [m]
+  std::optional<ReadingSummary> contacts;                                // marker to place [m]
+
+  bool empty() const { return metres.empty() && radians.empty() && !contacts; }
+};
+ReadingErrors summarizeReadings(const Measurements& measurements, const std::vector<WitnessResidual>& residuals);
+
+/// Keys `metres`, `radians`, `byMarker` and `contacts`, as far as there is something to say.
+nlohmann::json toJson(const ReadingErrors& errors);
+
+/// Error lengths of all witnesses relative to their noise, as distances of corners that are as far off [px]: per axis
+/// and in units of sigma, times `noise.pixel`.
+std::vector<double> scaledDistances(const Measurements& measurements, const std::vector<WitnessResidual>& residuals,
+                                    const Noise& noise);
+
+/// Distances of all corners [px]; of a set without corners, those of its readings as above.
+std::vector<double> collectDistances(const Residuals& residuals, const Residuals::State& state);
+
+/// For example "0.31 mm (laser)", one after the other.
+std::string formatSizes(const ReadingErrors& errors);
+
+} // namespace naocal

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "calibration/CalibrationResult.hpp"
+#include "calibration/Fit.hpp"
+
+namespace naocal {
+
+/// Estimates the noise levels of readings (`Measurements::levels`) that the sets do not give, one after the other, and
+/// the scatter from pose to pose along with them, by restricted likelihood: with V the covariance of all rows, H the
+/// information of all unknowns and g the gradient,
+///
+///   D = ln |V| + ln |H| + 2 cost - g^T H^-1 g + penalty of the scatter.
+///
+/// `model` is extended by all candidate effects, whose priors are their plausible sizes: a missing effect would
+/// otherwise pass for noise. Returns `noise` with the levels; empty ones if the sets give all.
+Noise estimateReadingNoise(const Measurements& measurements, const Model& model, const Fit& fit, Noise noise,
+                           const std::vector<Effect>& effects);
+
+} // namespace naocal

@@ -1,0 +1,94 @@
+#include "robot/RobotOfSet.hpp"
+
+#include "io/Files.hpp"
+#include "io/InputError.hpp"
+#include "robot/Kinematics.hpp"
+#include "robot/Urdf.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace naocal {
+
+namespace {
+
+/// Camera axes (forward, left, up) in an optical frame (x right, y down, z forward).
+const Eigen::Matrix3d opticalFromCameraAxes{{0, -1, 0}, {0, 0, -1}, {1, 0, 0}};
+
+RigidTransform toTransform(const Placement& p) {
+  return transformFromPlacement((Eigen::Matrix<double, 6, 1>{} << p.x, p.y, p.z, p.roll, p.pitch, p.yaw).finished());
+}
+
+std::size_t requireLink(const Robot& robot, const CaptureSet& set, const std::string& place, const std::string& link) {
+  const auto index = robot.linkIndex(link);
+  if (!index) {
+    throw InputError{fmt::format("{}: {}: expected a link of {}, found \"{}\"", set.name, place, set.urdf, link)};
+  }
+  return *index;
+}
+
+CameraMount mountOf(const Robot& robot, const CaptureSet& set, const std::string& name,
+                    const CameraMounting& mounting) {
+  const bool inWorld = mounting.link == "world";
+  const RigidTransform linkFromMount =
+      toTransform(mounting.placement.value_or(inWorld ? mounting.guess.value_or(Placement{}) : Placement{}));
+  const Eigen::Matrix3d mountFromCamera = mounting.isOptical ? opticalFromCameraAxes : Eigen::Matrix3d::Identity();
+  return {.name = name,
+          .link = inWorld ? robot.base : requireLink(robot, set, fmt::format("cameras.{}.link", name), mounting.link),
+          .inWorld = inWorld,
+          .translation = linkFromMount.translation,
+          .rotation = linkFromMount.rotation * mountFromCamera};
+}
+
+/// Adds the frame of a sole as a link of its own, once.
+void addSole(const CaptureSet& set, const std::string& place, const std::string& name, Robot& robot) {
+  if (robot.findSole(name)) {
+    return;
+  }
+  const std::size_t foot = requireLink(robot, set, place, name);
+  const auto given = set.soles.find(name);
+  const RigidTransform footFromSole = toTransform(given == set.soles.end() ? Placement{} : given->second);
+  Link sole{.name = name + " sole", .parent = foot, .constant = footFromSole.translation};
+  sole.rotation = footFromSole.rotation;
+  robot.soles.push_back({.name = name, .link = robot.links.size()});
+  robot.links.push_back(std::move(sole));
+}
+
+Robot loadUrdfOf(const CaptureSet& set) {
+  const auto file = fileInside(set.folder, set.urdf);
+  if (!file) {
+    throw InputError{fmt::format("{}: robot.urdf: expected a file within the set's folder, found a path out of it; "
+                                 "copy the URDF into the set",
+                                 (set.folder / set.urdf).string())};
+  }
+  Robot robot = loadUrdf(*file);
+  if (!set.base.empty()) {
+    robot.base = requireLink(robot, set, "robot.base", set.base);
+  }
+  for (const std::string& name : set.jointNames) {
+    if (!robot.jointIndex(name)) {
+      throw InputError{
+          fmt::format("{}: jointNames: expected movable joints of {}, found \"{}\"", set.name, set.urdf, name)};
+    }
+  }
+  for (const Stance& stance : set.stances) {
+    for (const std::string& link : stance.supportLinks) {
+      addSole(set, fmt::format("stances[{}].supportLinks", stance.id), link, robot);
+    }
+  }
+  for (const auto& [link, sole] : set.soles) {
+    addSole(set, "soles", link, robot);
+  }
+  for (const auto& [name, mounting] : set.mountings) {
+    robot.cameras.push_back(mountOf(robot, set, name, mounting));
+  }
+  return robot;
+}
+
+} // namespace
+
+Robot loadRobot(const CaptureSet& set, const std::filesystem::path& configuration) {
+  return set.urdf.empty() ? loadRobot(configuration, set.model) : loadUrdfOf(set);
+}
+
+} // namespace naocal
