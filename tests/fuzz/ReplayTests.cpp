@@ -102,6 +102,18 @@ TEST_CASE("random bytes as layers of a configuration are read or refused") {
 TEST_CASE("random bytes as a robot's drawing are read or refused") {
   replay("drawing");
 }
+TEST_CASE("random bytes as a URDF are read or refused") {
+  replay("urdf");
+}
+TEST_CASE("random bytes as a table of readings are read or refused") {
+  replay("table");
+}
+TEST_CASE("random bytes as a recording of ROS 2 are read or refused") {
+  replay("mcap");
+}
+TEST_CASE("random bytes as a camera's calibration are read or refused") {
+  replay("camera-model");
+}
 TEST_CASE("random bytes as files of other teams are read or refused") {
   replay("dialects");
 }

@@ -13,6 +13,9 @@
 #include "simulation/Simulation.hpp"
 #include "simulation/StandingPoses.hpp"
 
+#include "recordings/McapWriter.hpp"
+#include "recordings/TestArm.hpp"
+
 #include <catch2/catch.hpp>
 
 namespace naocal {
@@ -168,6 +171,22 @@ void writePictures() {
 
 } // namespace
 
+void writeRecordings() {
+  writeSeed("urdf", "arm", testing::armUrdf);
+  writeSeed("table", "tracked", "t,q1,q2,q3,pose,hand_x_mm,hand_y_mm,hand_z_mm\n10,90,0,0.1,A,1000,0,500\n"
+                                "11,45,,0.2,\"B, again\",,,\n");
+  writeSeed("table", "frames", "q1;q2;q3;x;y;z;qw;qx;qy;qz\n0,1;0;0,1;1;0;0,5;1;0;0;0\n");
+  for (const std::string compression : {"none", "zstd", "lz4"}) {
+    testing::McapWriter writer{compression};
+    const int joints = writer.addChannel("/joint_states", "sensor_msgs/msg/JointState");
+    writer.addMessage(joints, 1, testing::jointStateMessage(1, {"shoulder_pan", "slide"}, {0.5, 0.1}));
+    writer.endChunk();
+    const int images = writer.addChannel("/eye/image_raw", "sensor_msgs/msg/Image");
+    writer.addMessage(images, 2, testing::imageMessage(2, "eye", 2, 2, "mono8", 2, {1, 2, 3, 4}));
+    writeSeed("mcap", compression, writer.finish());
+  }
+}
+
 TEST_CASE("the seeds of the corpora are written with the project's own writers", "[.seeds]") {
   // Proves nothing; run it by hand after a format has changed: build/desk/tests/test_fuzz "[.seeds]". Regressions
   // beside the seeds stay.
@@ -181,6 +200,7 @@ TEST_CASE("the seeds of the corpora are written with the project's own writers",
   writeFrames();
   writeBrowsers();
   writePictures();
+  writeRecordings();
   SUCCEED();
 }
 

@@ -13,7 +13,6 @@ void complete(CLI::App& app, int& exitCode) {
   naocal::addExplore(app);
   naocal::addApply(app);
   naocal::addExport(app);
-  naocal::addImport(app);
   naocal::addHistory(app);
   naocal::addReplay(app, exitCode);
 }

@@ -10,6 +10,7 @@ void complete(CLI::App& app, int& exitCode) {
   naocal::addBoard(app);
   naocal::addPoses(app);
   naocal::addDetect(app);
+  naocal::addImport(app);
   naocal::addReport(app);
 }
 

@@ -68,35 +68,6 @@ std::string cameraText(std::size_t number, const std::string& name, const Camera
                      lens.width, lens.height, name);
 }
 
-CameraIntrinsics readLens(const YamlCursor& at) {
-  if (at.at("camera_model").text() != "pinhole") {
-    at.at("camera_model").refuse("pinhole, the one model that is known here", at.at("camera_model").text());
-  }
-  CameraIntrinsics lens;
-  const auto intrinsics = at.at("intrinsics").numbers(4);
-  const auto resolution = at.at("resolution").elements();
-  if (resolution.size() != 2) {
-    at.at("resolution").refuse("[width, height]", std::to_string(resolution.size()) + " numbers");
-  }
-  lens.width = resolution[0].integer(1, 100000);
-  lens.height = resolution[1].integer(1, 100000);
-  lens.fx = intrinsics[0];
-  lens.fy = intrinsics[1];
-  lens.cx = intrinsics[2];
-  lens.cy = intrinsics[3];
-  if (!(lens.fx > 0 && lens.fy > 0)) {
-    at.at("intrinsics").refuse("positive focal lengths", "others");
-  }
-  const std::string model = at.at("distortion_model").text();
-  if (model == "radtan") {
-    const auto coefficients = at.at("distortion_coeffs").numbers(4);
-    std::copy(coefficients.begin(), coefficients.end(), lens.distortion.begin());
-  } else if (model != "none") {
-    at.at("distortion_model").refuse("radtan or none", model);
-  }
-  return lens;
-}
-
 RigidTransform readTransform(const YamlCursor& at) {
   constexpr double tolerance = 1e-5; // of a rotation's columns, from rounded digits
   const auto rows = at.elements();
@@ -128,6 +99,35 @@ std::string nameOf(const YamlCursor& camera, std::size_t number) {
 
 } // namespace
 
+CameraIntrinsics readKalibrLens(const YamlCursor& at) {
+  if (at.at("camera_model").text() != "pinhole") {
+    at.at("camera_model").refuse("pinhole, the one model that is known here", at.at("camera_model").text());
+  }
+  CameraIntrinsics lens;
+  const auto intrinsics = at.at("intrinsics").numbers(4);
+  const auto resolution = at.at("resolution").elements();
+  if (resolution.size() != 2) {
+    at.at("resolution").refuse("[width, height]", std::to_string(resolution.size()) + " numbers");
+  }
+  lens.width = resolution[0].integer(1, 100000);
+  lens.height = resolution[1].integer(1, 100000);
+  lens.fx = intrinsics[0];
+  lens.fy = intrinsics[1];
+  lens.cx = intrinsics[2];
+  lens.cy = intrinsics[3];
+  if (!(lens.fx > 0 && lens.fy > 0)) {
+    at.at("intrinsics").refuse("positive focal lengths", "others");
+  }
+  const std::string model = at.at("distortion_model").text();
+  if (model == "radtan") {
+    const auto coefficients = at.at("distortion_coeffs").numbers(4);
+    std::copy(coefficients.begin(), coefficients.end(), lens.distortion.begin());
+  } else if (model != "none") {
+    at.at("distortion_model").refuse("radtan or none", model);
+  }
+  return lens;
+}
+
 std::vector<DialectFile> writeKalibr(const RobotCalibration& calibration, const Robot& robot) {
   std::string text;
   std::vector<std::string> written;
@@ -158,7 +158,7 @@ ParsedCalibration parseKalibr(const std::string& text, const std::string& file, 
       at.refuse("the other camera than cam0", name);
     }
     CameraCalibration& camera = parsed.calibration.cameras[name];
-    camera.lens = readLens(at);
+    camera.lens = readKalibrLens(at);
     if (!previous.empty() && at.has("T_cn_cnm1")) {
       const RigidTransform cameraFromPrevious = readTransform(at.at("T_cn_cnm1"));
       // linkFromOptical of this camera, the previous one as drawn

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "dialects/Dialect.hpp"
+#include "dialects/text/YamlText.hpp"
 
 namespace naocal {
 
@@ -14,5 +15,8 @@ namespace naocal {
 /// wiki, yaml-formats.
 std::vector<DialectFile> writeKalibr(const RobotCalibration& calibration, const Robot& robot);
 ParsedCalibration parseKalibr(const std::string& text, const std::string& file, const Robot& robot);
+
+/// The lens of one camera of such a file.
+CameraIntrinsics readKalibrLens(const YamlCursor& at);
 
 } // namespace naocal

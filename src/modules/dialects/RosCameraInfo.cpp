@@ -79,6 +79,15 @@ void readDistortion(const YamlCursor& all, CameraIntrinsics& lens) {
 
 } // namespace
 
+CameraIntrinsics readRosLens(const YamlCursor& all) {
+  CameraIntrinsics lens;
+  lens.width = all.at("image_width").integer(1, 100000);
+  lens.height = all.at("image_height").integer(1, 100000);
+  readMatrix(all.at("camera_matrix"), lens);
+  readDistortion(all, lens);
+  return lens;
+}
+
 std::vector<DialectFile> writeRosCameraInfo(const RobotCalibration& calibration, const Robot&) {
   std::vector<DialectFile> files;
   for (const auto& [name, camera] : calibration.cameras) {
@@ -91,13 +100,8 @@ std::vector<DialectFile> writeRosCameraInfo(const RobotCalibration& calibration,
 
 ParsedCalibration parseRosCameraInfo(const std::string& text, const std::string& file, const Robot&) {
   const YamlCursor all{text, file};
-  CameraIntrinsics lens;
-  lens.width = all.at("image_width").integer(1, 100000);
-  lens.height = all.at("image_height").integer(1, 100000);
-  readMatrix(all.at("camera_matrix"), lens);
-  readDistortion(all, lens);
   ParsedCalibration parsed;
-  parsed.calibration.cameras[cameraOf(all, file)].lens = lens;
+  parsed.calibration.cameras[cameraOf(all, file)].lens = readRosLens(all);
   return parsed;
 }
 

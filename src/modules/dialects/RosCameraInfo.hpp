@@ -1,6 +1,7 @@
 #pragma once
 
 #include "dialects/Dialect.hpp"
+#include "dialects/text/YamlText.hpp"
 
 namespace naocal {
 
@@ -11,5 +12,8 @@ namespace naocal {
 /// sensor_msgs/CameraInfo; wiki of camera_calibration_parsers.
 std::vector<DialectFile> writeRosCameraInfo(const RobotCalibration& calibration, const Robot& robot);
 ParsedCalibration parseRosCameraInfo(const std::string& text, const std::string& file, const Robot& robot);
+
+/// The lens of such a file.
+CameraIntrinsics readRosLens(const YamlCursor& all);
 
 } // namespace naocal

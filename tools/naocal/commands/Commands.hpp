@@ -19,6 +19,7 @@ void addReport(CLI::App& app);
 void addApply(CLI::App& app);
 void addExport(CLI::App& app);
 void addImport(CLI::App& app);
+void addRecordingImports(CLI::App& importer); // of `import`
 void addBoard(CLI::App& app);
 void addCheck(CLI::App& app, int& exitCode);
 void addHistory(CLI::App& app);

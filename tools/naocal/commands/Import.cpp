@@ -47,7 +47,16 @@ void printImported(const RobotCalibration& calibration) {
   }
 }
 
+void requireOption(bool isGiven, const char* name) {
+  if (!isGiven) {
+    throw CLI::RequiredError{name};
+  }
+}
+
 void importCalibration(const ImportCommand& command) {
+  requireOption(!command.files.empty(), "FILE");
+  requireOption(!command.dialect.empty(), "--from");
+  requireOption(!command.output.empty(), "--output");
   const Dialect& dialect = findDialect(command.dialect);
   const Robot robot = loadRobot(configurationDirectory(), command.robot);
   ParsedCalibration all;
@@ -72,20 +81,23 @@ void addImport(CLI::App& app) {
   CLI::App* importer = app.get_subcommand("import");
   importer->footer("Example: naocal import jointCalibration.cfg cameraCalibration.cfg --from bhuman -o start.json");
   importer->add_option("FILE", command->files, "files of one robot, at most one of each kind")
-      ->type_name("FILE")
-      ->required();
+      ->type_name("FILE");
   importer->add_option("--from", command->dialect, "the other program")
       ->type_name("DIALECT")
-      ->check(oneOf(dialectNames()))
-      ->required();
+      ->check(oneOf(dialectNames()));
   importer->add_option("-o,--output", command->output, "write the calibration to this file, or - for standard output")
       ->type_name("FILE")
-      ->required()
       ->check(replaceableFile("naocal-calibration"));
   importer->add_option("--robot", command->robot, "the robot's model, for its mounts")
       ->capture_default_str()
       ->check(oneOf(std::vector<std::string>{"V4", "V5", "V6"}));
-  importer->callback([command] { importCalibration(*command); });
+  importer->require_subcommand(0, 1);
+  addRecordingImports(*importer);
+  importer->callback([command, importer] {
+    if (importer->get_subcommands().empty()) { // else done by it
+      importCalibration(*command);
+    }
+  });
 }
 
 } // namespace naocal

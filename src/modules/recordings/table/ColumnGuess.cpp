@@ -1,0 +1,301 @@
+#include "recordings/table/ColumnGuess.hpp"
+
+#include "io/InputError.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <numbers>
+#include <set>
+
+namespace naocal {
+
+namespace {
+
+constexpr double largestTurn = 2 * std::numbers::pi; // of a reading in radians [rad]
+constexpr double largestReach = 20;                  // of a coordinate in metres [m]
+
+/// A column's name in words: "Q1 [deg]" is {"q1", "deg"}.
+std::vector<std::string> wordsOf(const std::string& name) {
+  std::vector<std::string> words;
+  bool isInside = false;
+  for (const char letter : name) {
+    const auto code = static_cast<unsigned char>(letter);
+    if (std::isalnum(code) == 0) {
+      isInside = false;
+      continue;
+    }
+    if (!isInside) {
+      words.emplace_back();
+    }
+    isInside = true;
+    words.back() += static_cast<char>(std::tolower(code));
+  }
+  return words;
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  return fmt::format("{}", fmt::join(words, "_"));
+}
+
+/// A column without the unit at the end of its name.
+struct NamedColumn {
+  std::string name;               // as in the table
+  std::vector<std::string> words; // of the rest
+  std::string unit;               // empty: none
+};
+
+std::string unitOf(const std::string& word) {
+  static const std::map<std::string, std::string> units{
+      {"deg", "deg"}, {"degree", "deg"}, {"degrees", "deg"}, {"rad", "rad"}, {"radian", "rad"}, {"radians", "rad"},
+      {"m", "m"},     {"mm", "mm"},      {"cm", "cm"},       {"s", "s"},     {"sec", "s"},      {"ms", "ms"},
+      {"us", "us"},   {"ns", "ns"}};
+  const auto found = units.find(word);
+  return found == units.end() ? "" : found->second;
+}
+
+NamedColumn nameColumn(const std::string& name) {
+  NamedColumn column{name, wordsOf(name), ""};
+  if (column.words.size() > 1) {
+    column.unit = unitOf(column.words.back());
+    if (!column.unit.empty()) {
+      column.words.pop_back();
+    }
+  }
+  return column;
+}
+
+/// "q1", "joint_2", "theta3", "axis 4": the number behind a usual word for joints.
+std::optional<int> jointNumber(const NamedColumn& column) {
+  const std::string name = fmt::format("{}", fmt::join(column.words, ""));
+  const auto digit = std::find_if(name.begin(), name.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
+  static const std::set<std::string> usual{"q", "j", "joint", "theta", "axis", "a", "angle", "jointangle", "jnt",
+                                           "jointposition", "position", "pos"};
+  const std::string number{digit, name.end()};
+  const bool isNumber = !number.empty() && number.size() < 4 &&
+                        std::all_of(number.begin(), number.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
+  if (!isNumber || !usual.contains(std::string{name.begin(), digit})) {
+    return std::nullopt;
+  }
+  return std::stoi(number);
+}
+
+/// Of times since 1970, or since a start within the last months.
+std::string timeUnitOf(double largest) {
+  return largest > 1e17 ? "ns" : largest > 1e14 ? "us" : largest > 1e11 ? "ms" : "s";
+}
+
+class Guesser {
+public:
+  Guesser(const CsvTable& table, const Robot& robot) : table_{table}, robot_{robot} {
+    for (const std::string& name : table.names()) {
+      columns_.push_back(nameColumn(name));
+    }
+  }
+
+  ColumnGuess run() {
+    guessNamedJoints();
+    if (map_.joints.empty()) {
+      guessNumberedJoints();
+    }
+    if (map_.joints.empty()) {
+      refuseWithoutJoints();
+    }
+    guessMeasuredPositions();
+    guessOthers();
+    ColumnGuess guess{std::move(map_), {}};
+    for (const NamedColumn& column : columns_) {
+      if (!used_.contains(column.name)) {
+        guess.unused.push_back(column.name);
+      }
+    }
+    return guess;
+  }
+
+private:
+  [[noreturn]] void refuseWithoutJoints() const {
+    std::vector<std::string> names;
+    for (const Joint& joint : robot_.joints) {
+      names.push_back(joint.name);
+    }
+    throw InputError{fmt::format("{}, row 1: expected columns named as the URDF's joints ({}) or q1, q2, .., found {}; "
+                                 "say which columns are joints with --columns",
+                                 table_.file(), fmt::join(names, ", "),
+                                 printableText(fmt::format("{}", fmt::join(table_.names(), ", ")), 400))};
+  }
+
+  double largest(const std::string& name) const {
+    const std::size_t column = table_.column(name);
+    double largest = 0;
+    for (std::size_t row = 0; row < table_.rows(); ++row) {
+      largest = std::max(largest, std::abs(table_.number(row, column).value_or(0)));
+    }
+    return largest;
+  }
+
+  void addJoint(const Joint& joint, const NamedColumn& column) {
+    JointColumn& entry = map_.joints[joint.name];
+    entry.column = column.name;
+    entry.unit = column.unit;
+    used_.insert(column.name);
+  }
+
+  /// All angles have one unit where their names have none: one that exceeds a turn decides for all.
+  void guessJointUnits() {
+    bool areDegrees = false;
+    for (const auto& [name, joint] : map_.joints) {
+      areDegrees |= joint.unit.empty() && !isPrismatic(name) && largest(joint.column) > largestTurn;
+    }
+    for (auto& [name, joint] : map_.joints) {
+      if (!joint.unit.empty()) {
+        continue;
+      }
+      if (isPrismatic(name)) {
+        joint.unit = largest(joint.column) > largestReach ? "mm" : "m";
+      } else {
+        joint.unit = areDegrees ? "deg" : "rad";
+      }
+    }
+  }
+
+  bool isPrismatic(const std::string& joint) const { return robot_.joints[*robot_.jointIndex(joint)].isPrismatic; }
+
+  void guessNamedJoints() {
+    for (const Joint& joint : robot_.joints) {
+      const std::string name = joined(wordsOf(joint.name));
+      for (const NamedColumn& column : columns_) {
+        const bool isJoint = joined(column.words) == name || joined(wordsOf(column.name)) == name;
+        if (isJoint && !map_.joints.contains(joint.name)) {
+          addJoint(joint, column);
+        }
+      }
+    }
+    guessJointUnits();
+  }
+
+  void guessNumberedJoints() {
+    std::map<int, const NamedColumn*> numbered;
+    for (const NamedColumn& column : columns_) {
+      if (const std::optional<int> number = jointNumber(column)) {
+        numbered.emplace(*number, &column);
+      }
+    }
+    auto next = numbered.begin();
+    for (std::size_t i = 0; i < robot_.joints.size() && next != numbered.end(); ++i) {
+      if (robot_.joints[i].motor == i) {
+        addJoint(robot_.joints[i], *next->second);
+        ++next;
+      }
+    }
+    guessJointUnits();
+  }
+
+  /// The free column whose words are `stem` with `last` appended to the last word, or after it.
+  const NamedColumn* find(const std::string& stem, const std::string& last) const {
+    for (const NamedColumn& column : columns_) {
+      const std::string name = joined(column.words);
+      if (!used_.contains(column.name) && (name == stem + last || name == stem + "_" + last)) {
+        return &column;
+      }
+    }
+    return nullptr;
+  }
+
+  const NamedColumn* findAny(const std::string& stem, const std::vector<std::string>& lasts) const {
+    for (const std::string& last : lasts) {
+      if (const NamedColumn* column = find(stem, last)) {
+        return column;
+      }
+    }
+    return nullptr;
+  }
+
+  /// Points and frames: stems of columns that end with x.
+  void guessMeasuredPositions() {
+    for (const NamedColumn& x : columns_) {
+      const std::string name = joined(x.words);
+      const bool isQuaternion = name == "qx" || name.ends_with("_qx") || name.ends_with("quat_x");
+      if (used_.contains(x.name) || !name.ends_with("x") || isQuaternion) {
+        continue;
+      }
+      std::string stem = name.substr(0, name.size() - 1);
+      if (stem.ends_with("_")) {
+        stem.pop_back();
+      }
+      const NamedColumn *y = find(stem, "y"), *z = find(stem, "z");
+      if (y != nullptr && z != nullptr) {
+        addPosition(stem, {&x, y, z});
+      }
+    }
+  }
+
+  void addPosition(const std::string& stem, const std::array<const NamedColumn*, 3>& xyz) {
+    std::array<std::string, 3> names;
+    double most = 0;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      names[i] = xyz[i]->name;
+      used_.insert(names[i]);
+      most = std::max(most, largest(names[i]));
+    }
+    const std::string unit = metresPer(xyz[0]->unit) ? xyz[0]->unit : most > largestReach ? "mm" : "m";
+    std::array<std::string, 4> quaternion;
+    constexpr std::array<const char*, 4> parts{"w", "x", "y", "z"};
+    bool isFrame = true;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      const NamedColumn* part = findAny(stem, {std::string{"q"} + parts[i], std::string{"quat_"} + parts[i]});
+      isFrame &= part != nullptr;
+      quaternion[i] = part != nullptr ? part->name : "";
+    }
+    if (isFrame) {
+      used_.insert(quaternion.begin(), quaternion.end());
+      map_.frames.push_back({stem.empty() ? "tool" : stem, "tracker", "", names, unit, quaternion});
+    } else {
+      map_.points.push_back({stem.empty() ? "marker" : stem, "tracker", "", names, unit});
+    }
+  }
+
+  std::optional<std::string> take(const std::set<std::string>& usual) {
+    for (const NamedColumn& column : columns_) {
+      if (!used_.contains(column.name) && usual.contains(joined(column.words))) {
+        used_.insert(column.name);
+        return column.name;
+      }
+    }
+    return std::nullopt;
+  }
+
+  void guessOthers() {
+    map_.image = take({"image", "img", "picture", "file", "filename", "file_name", "image_file", "image_name", "frame"});
+    map_.time = take({"t", "time", "timestamp", "stamp", "seconds"});
+    if (map_.time) {
+      const std::string unit = nameColumn(*map_.time).unit;
+      map_.timeUnit = secondsPer(unit) ? unit : timeUnitOf(largest(*map_.time));
+    }
+    map_.pose = take({"pose", "pose_id", "pose_name", "configuration", "config"});
+    map_.repeat = take({"repeat", "repetition", "sample", "trial"});
+    for (const auto& [joint, entry] : map_.joints) {
+      for (const std::string& of : {joined(wordsOf(joint)), joined(nameColumn(entry.column).words)}) {
+        const auto column = take({"temperature_" + of, of + "_temperature", "temp_" + of, of + "_temp"});
+        if (column && !map_.temperature.contains(joint)) {
+          map_.temperature[joint] = *column;
+        }
+      }
+    }
+  }
+
+  const CsvTable& table_;
+  const Robot& robot_;
+  std::vector<NamedColumn> columns_;
+  std::set<std::string> used_;
+  ColumnMap map_;
+};
+
+} // namespace
+
+ColumnGuess guessColumns(const CsvTable& table, const Robot& robot) {
+  return Guesser{table, robot}.run();
+}
+
+} // namespace naocal

@@ -1,0 +1,155 @@
+#include "recordings/table/CsvTable.hpp"
+
+#include "data/CaptureSetFile.hpp"
+#include "io/InputError.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <csv.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <memory>
+#include <set>
+
+namespace naocal {
+
+namespace {
+
+std::string trimmed(std::string_view text) {
+  constexpr std::string_view blank = " \t\r\n";
+  const auto begin = text.find_first_not_of(blank), end = text.find_last_not_of(blank);
+  return begin == std::string_view::npos ? "" : std::string{text.substr(begin, end - begin + 1)};
+}
+
+/// The separator that the first line has most of.
+char separatorOf(std::string_view text) {
+  const std::string_view line = text.substr(0, text.find('\n'));
+  constexpr std::array candidates{',', ';', '\t'};
+  return *std::max_element(candidates.begin(), candidates.end(), [&](char one, char other) {
+    return std::count(line.begin(), line.end(), one) < std::count(line.begin(), line.end(), other);
+  });
+}
+
+/// Rows as the parser hands them out.
+struct ParsedRows {
+  std::vector<std::vector<std::string>> rows{{}};
+  bool isTooLarge = false;
+};
+
+void endCell(void* cell, std::size_t size, void* to) {
+  auto& parsed = *static_cast<ParsedRows*>(to);
+  if (parsed.rows.back().size() > mostTableColumns || parsed.rows.size() > mostCaptures + 2) {
+    parsed.isTooLarge = true;
+    return;
+  }
+  parsed.rows.back().push_back(trimmed({static_cast<const char*>(cell), size}));
+}
+
+void endRow(int /*terminator*/, void* to) {
+  auto& parsed = *static_cast<ParsedRows*>(to);
+  if (!parsed.isTooLarge) {
+    parsed.rows.emplace_back();
+  }
+}
+
+ParsedRows parseRows(std::string_view text, char separator, const std::string& file) {
+  csv_parser parser{};
+  if (csv_init(&parser, CSV_STRICT | CSV_STRICT_FINI) != 0) {
+    throw std::bad_alloc{};
+  }
+  const std::unique_ptr<csv_parser, decltype(&csv_free)> cleanup{&parser, &csv_free};
+  csv_set_delim(&parser, static_cast<unsigned char>(separator));
+  ParsedRows parsed;
+  const bool isParsed = csv_parse(&parser, text.data(), text.size(), endCell, endRow, &parsed) == text.size() &&
+                        csv_fini(&parser, endCell, endRow, &parsed) == 0;
+  if (!isParsed) {
+    throw InputError{fmt::format("{}, row {}: expected comma-separated values, found broken quotes ({})", file,
+                                 parsed.rows.size(), csv_strerror(csv_error(&parser)))};
+  }
+  if (parsed.isTooLarge) {
+    throw InputError{fmt::format("{}: expected at most {} rows and {} columns, found more", file, mostCaptures,
+                                 mostTableColumns)};
+  }
+  parsed.rows.pop_back(); // begun after the last row
+  return parsed;
+}
+
+} // namespace
+
+CsvTable::CsvTable(const std::string& text, std::string file) : file_{std::move(file)} {
+  std::string_view content{text};
+  for (const std::string_view prefix : {"\xef\xbb\xbf", "#", " "}) { // byte order mark, numpy's comment
+    if (content.starts_with(prefix)) {
+      content.remove_prefix(prefix.size());
+    }
+  }
+  separator_ = separatorOf(content);
+  std::vector<std::vector<std::string>> rows = parseRows(content, separator_, file_).rows;
+  if (rows.empty()) {
+    throw InputError{fmt::format("{}: expected a row of column names, found an empty file", file_)};
+  }
+  names_ = std::move(rows.front());
+  checkNames();
+  cells_.assign(std::make_move_iterator(rows.begin() + 1), std::make_move_iterator(rows.end()));
+  for (std::size_t row = 0; row < cells_.size(); ++row) {
+    if (cells_[row].size() != names_.size()) {
+      throw InputError{fmt::format("{}: expected {} cells, as there are columns, found {}", where(row), names_.size(),
+                                   cells_[row].size())};
+    }
+  }
+  if (cells_.empty()) {
+    throw InputError{fmt::format("{}: expected readings below the row of names, found none", file_)};
+  }
+}
+
+void CsvTable::checkNames() const {
+  std::set<std::string> known;
+  for (std::size_t i = 0; i < names_.size(); ++i) {
+    if (names_[i].empty()) {
+      throw InputError{fmt::format("{}, row 1: expected a name for column {}, found none", file_, i + 1)};
+    }
+    if (!known.insert(names_[i]).second) {
+      throw InputError{fmt::format("{}, row 1: expected a name for each column, found \"{}\" twice", file_,
+                                   printableText(names_[i], 80))};
+    }
+  }
+}
+
+std::size_t CsvTable::column(const std::string& name) const {
+  const auto found = std::find(names_.begin(), names_.end(), name);
+  if (found == names_.end()) {
+    throw InputError{fmt::format("{}: expected a column \"{}\", found {}", file_, printableText(name, 80),
+                                 printableText(fmt::format("{}", fmt::join(closestNames(name, names_, 8), ", ")), 400))};
+  }
+  return static_cast<std::size_t>(found - names_.begin());
+}
+
+std::optional<double> CsvTable::number(std::size_t row, std::size_t column) const {
+  std::string cell = cells_[row][column];
+  std::string lower = cell;
+  std::transform(lower.begin(), lower.end(), lower.begin(),
+                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  if (cell.empty() || lower == "nan") {
+    return std::nullopt;
+  }
+  if (separator_ != ',' && cell.find('.') == std::string::npos) {
+    std::replace(cell.begin(), cell.end(), ',', '.');
+  }
+  const char* begin = cell.data() + (cell.front() == '+' ? 1 : 0);
+  const char* const end = cell.data() + cell.size();
+  double value = 0;
+  const auto [rest, error] = std::from_chars(begin, end, value);
+  if (error != std::errc{} || rest != end || !std::isfinite(value)) {
+    throw InputError{fmt::format("{}, column \"{}\": expected a number, found \"{}\"", where(row),
+                                 printableText(names_[column], 80), printableText(cells_[row][column], 40))};
+  }
+  return value;
+}
+
+std::string CsvTable::where(std::size_t row) const {
+  return fmt::format("{}, row {}", file_, row + 2);
+}
+
+} // namespace naocal

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "recordings/ImportScene.hpp"
+#include "recordings/table/ColumnMap.hpp"
+#include "recordings/table/CsvTable.hpp"
+
+#include <filesystem>
+
+namespace naocal {
+
+/// A set made of a table, and what it was made of.
+struct TableImport {
+  ImportedSet imported;
+  std::size_t withoutMeasurement = 0; // rows that were passed over: no picture, no position
+};
+
+/// One capture for each row with a picture, a measured point or a measured frame.
+///
+/// Without a column for poses, neighbouring rows with equal angles are one pose, and every other row has its own; with
+/// one, a pose's rows are repeats of it where it has no column for repeats: a new one whenever the angles differ from
+/// those of the row before. Pictures are looked for in `pictures`.
+///
+/// Throws InputError with table, row, column, expected and found: missing columns, cells that are no numbers, angles
+/// beyond two turns of a limited joint in radians (degrees?), positions beyond 1 km, positions of which a coordinate is
+/// missing, quaternions far from unit length, pictures that are missing or none.
+TableImport importTable(const CsvTable& table, const ColumnMap& map, const ImportScene& scene,
+                        const std::filesystem::path& pictures);
+
+} // namespace naocal

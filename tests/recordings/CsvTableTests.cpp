@@ -1,0 +1,58 @@
+#include "recordings/table/CsvTable.hpp"
+
+#include "io/InputError.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+using namespace naocal;
+
+TEST_CASE("a table is read as spreadsheets, scripts and numpy write it") {
+  // Proves separators, quotes, the byte order mark, decimal commas, line ends and numpy's comment.
+  struct Case {
+    std::string text;
+    double second; // number in row 0, column "b c"
+  };
+  const std::vector<Case> all{
+      {"a,b c\n1,2.5\n3,4\n", 2.5},        {"\xef\xbb\xbf" "a,b c\r\n1,2.5\r\n3,4", 2.5},
+      {"a;b c\n1;2,5\n3;4\n", 2.5},        {"a\tb c\n1\t-2.5e-3\n3\t4\n", -2.5e-3},
+      {"\"a\",\"b c\"\n\"1\",\" +2.5 \"\n3,4\n", 2.5}, {"# a,b c\n1,2.5\n3,4\n", 2.5},
+  };
+  for (const Case& each : all) {
+    CAPTURE(each.text);
+    const CsvTable table{each.text, "log.csv"};
+    CHECK(table.names() == std::vector<std::string>{"a", "b c"});
+    REQUIRE(table.rows() == 2);
+    CHECK(table.number(0, table.column("b c")) == each.second);
+    CHECK(table.number(1, 1) == 4);
+  }
+  const CsvTable gaps{"a,b\n,nan\n1,NaN\n", "log.csv"};
+  CHECK_FALSE(gaps.number(0, 0));
+  CHECK_FALSE(gaps.number(0, 1));
+  CHECK_FALSE(gaps.number(1, 1));
+}
+
+TEST_CASE("a table that is none is refused with row, expected and found") {
+  struct Broken {
+    std::string text, sentence;
+  };
+  const std::vector<Broken> all{
+      {"", "expected a row of column names, found an empty file"},
+      {"a,b\n", "expected readings below the row of names, found none"},
+      {"a,a\n1,2\n", "log.csv, row 1: expected a name for each column, found \"a\" twice"},
+      {"a,,c\n1,2,3\n", "log.csv, row 1: expected a name for column 2, found none"},
+      {"a,b\n1,2\n3\n", "log.csv, row 3: expected 2 cells, as there are columns, found 1"},
+      {"a,b\n1,2,3\n", "log.csv, row 2: expected 2 cells, as there are columns, found 3"},
+      {"a,b\n1,\"2\n", "found broken quotes"},
+      {"a,b\n1,2\"3\n", "found broken quotes"},
+  };
+  for (const Broken& broken : all) {
+    CAPTURE(broken.text);
+    CHECK_THROWS_WITH((CsvTable{broken.text, "log.csv"}), Catch::StartsWith("log.csv") && Catch::Contains(broken.sentence));
+  }
+  const CsvTable table{"shoulder,elbow\n1,two\n1e400,0x10\n", "log.csv"};
+  CHECK_THROWS_WITH(table.number(0, 1), "log.csv, row 2, column \"elbow\": expected a number, found \"two\"");
+  CHECK_THROWS_AS(table.number(1, 0), InputError);
+  CHECK_THROWS_AS(table.number(1, 1), InputError);
+  CHECK_THROWS_WITH(table.column("elbw"), Catch::Contains("expected a column \"elbw\", found elbow"));
+}
