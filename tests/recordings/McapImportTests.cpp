@@ -2,6 +2,7 @@
 
 #include "data/CaptureSetFile.hpp"
 #include "io/Files.hpp"
+#include "io/GreyImage.hpp"
 #include "io/InputError.hpp"
 
 #include "recordings/McapWriter.hpp"

@@ -1,6 +1,7 @@
 #include "commands/Commands.hpp"
 #include "console/PrintText.hpp"
 #include "console/RobotCalibrationFile.hpp"
+#include "console/UrdfExport.hpp"
 
 #include "command-line/OptionChecks.hpp"
 #include "dialects/Dialects.hpp"
@@ -90,7 +91,14 @@ std::string dialectHelp() {
   for (const Dialect& dialect : dialects()) {
     text += fmt::format("\n  {:<14} {}", dialect.name, dialect.what);
   }
-  return text;
+  return text + fmt::format("\n  {:<14} {}", urdfDialect,
+                            "the URDF with corrected joint origins, and the offsets as YAML");
+}
+
+std::vector<std::string> exportNames() {
+  std::vector<std::string> names = dialectNames();
+  names.emplace_back(urdfDialect);
+  return names;
 }
 
 } // namespace
@@ -104,7 +112,7 @@ void addExport(CLI::App& app) {
       ->required();
   exporter->add_option("--to", command->dialect, "the other program, as listed below")
       ->type_name("DIALECT")
-      ->check(oneOf(dialectNames()))
+      ->check(oneOf(exportNames()))
       ->required();
   exporter
       ->add_option("-o,--output", command->output,
@@ -112,7 +120,13 @@ void addExport(CLI::App& app) {
       ->type_name("FOLDER")
       ->required();
   addPostureOptions(*exporter, command->posture);
-  exporter->callback([command] { exportCalibration(*command); });
+  exporter->callback([command] {
+    if (command->dialect == urdfDialect) {
+      exportUrdf(command->result, command->posture, command->output);
+    } else {
+      exportCalibration(*command);
+    }
+  });
 }
 
 } // namespace naocal

@@ -27,6 +27,35 @@
 
 namespace naocal {
 
+std::vector<std::string> findCaptureFolders(const StoredResult& result, const std::string& file, const PostureOptions& options) {
+  if (!options.sets.empty()) {
+    return options.sets;
+  }
+  const SetSearch search{file, {options.lookIn.begin(), options.lookIn.end()}};
+  std::vector<std::string> folders;
+  for (std::size_t i = 0; i < result.inputs.sets.size(); ++i) {
+    const SoughtSet sought = i < result.inputs.sha256.size() && !result.inputs.sha256[i].empty()
+                                 ? findSet({result.inputs.sets[i], result.inputs.sha256[i]}, search)
+                                 : SoughtSet{};
+    if (!sought.folder) {
+      return {};
+    }
+    if (!sought.sentence.empty()) {
+      printText(stderr, "{}\n", sought.sentence);
+    }
+    folders.push_back(sought.folder->string());
+  }
+  return folders;
+}
+
+void requireUsable(const StoredResult& result, const std::string& file) {
+  if (!result.usable) {
+    throw InputError{fmt::format("{}: expected a result that can be used, found one with the verdict do-not-use: {} "
+                                 "Nothing was written; calibrate again",
+                                 file, result.sentence)};
+  }
+}
+
 namespace {
 
 constexpr double noticeable = 1e-6; // [rad], of a correction that is shown
@@ -55,28 +84,6 @@ bool bendsJoints(const std::string& term) {
   return true; // an own effect
 }
 
-/// The folders of a result's sets; empty if one is not found as it was. Tells on standard error which were moved.
-std::vector<std::string> findSets(const StoredResult& result, const std::string& file, const PostureOptions& options) {
-  if (!options.sets.empty()) {
-    return options.sets;
-  }
-  const SetSearch search{file, {options.lookIn.begin(), options.lookIn.end()}};
-  std::vector<std::string> folders;
-  for (std::size_t i = 0; i < result.inputs.sets.size(); ++i) {
-    const SoughtSet sought = i < result.inputs.sha256.size() && !result.inputs.sha256[i].empty()
-                                 ? findSet({result.inputs.sets[i], result.inputs.sha256[i]}, search)
-                                 : SoughtSet{};
-    if (!sought.folder) {
-      return {};
-    }
-    if (!sought.sentence.empty()) {
-      printText(stderr, "{}\n", sought.sentence);
-    }
-    folders.push_back(sought.folder->string());
-  }
-  return folders;
-}
-
 std::vector<CaptureSet> readSets(const std::vector<std::string>& folders) {
   std::vector<CaptureSet> sets;
   for (const std::string& folder : folders) {
@@ -100,20 +107,12 @@ void evaluate(const std::vector<CaptureSet>& sets, const PostureOptions& options
   loaded.calibration.bodyId = sets.front().bodyId;
 }
 
-void requireUsable(const StoredResult& result, const std::string& file) {
-  if (!result.usable) {
-    throw InputError{fmt::format("{}: expected a result that can be used, found one with the verdict do-not-use: {} "
-                                 "Nothing was written; calibrate again",
-                                 file, result.sentence)};
-  }
-}
-
 LoadedCalibration fromResult(const nlohmann::json& document, const std::string& file, const PostureOptions& options) {
   LoadedCalibration loaded;
   loaded.result = parseResult(document, file);
   requireUsable(loaded.result, file);
   loaded.robot = loadRobot(configurationDirectory(), loaded.result.robot);
-  loaded.folders = findSets(loaded.result, file, options);
+  loaded.folders = findCaptureFolders(loaded.result, file, options);
   const std::vector<CaptureSet> sets = readSets(loaded.folders);
   const auto& terms = loaded.result.terms;
   if (!sets.empty()) {

@@ -40,6 +40,13 @@ void addPostureOptions(CLI::App& command, PostureOptions& options);
 /// Throws InputError for a result that should not be used, and where captures are missing.
 LoadedCalibration loadCalibration(const std::string& file, const PostureOptions& options);
 
+/// The folders of a result's captures; empty if one is not found as it was. Tells on standard error which were moved.
+std::vector<std::string> findCaptureFolders(const StoredResult& result, const std::string& file,
+                                            const PostureOptions& options);
+
+/// Throws InputError for a result that should not be used.
+void requireUsable(const StoredResult& result, const std::string& file);
+
 /// Prints o, delta at the posture, its spread over the captures and the constant, for joints with a delta; then what
 /// constants cannot correct.
 void printCompensations(const LoadedCalibration& loaded);
