@@ -36,9 +36,15 @@ FitMinimum predict(Residuals& residuals, const Prediction& prediction) {
 }
 
 /// Residuals with joint angles as read: no deflections are fitted.
-std::vector<BoardResidual> plainResiduals(const Measurements& measurements, const Prediction& prediction) {
+struct PlainResiduals {
+  std::vector<BoardResidual> boards;
+  ReadingLengths readings;
+};
+
+PlainResiduals plainResiduals(const Measurements& measurements, const Prediction& prediction) {
   Residuals residuals{measurements, prediction.model, Noise{.pixel = 0.3, .encoder = 0, .pose = 0}};
-  return residuals.boardResiduals(predict(residuals, prediction).state);
+  const Residuals::State state = predict(residuals, prediction).state;
+  return {residuals.boardResiduals(state), collectLengths(measurements, residuals.witnessResiduals(state))};
 }
 
 std::map<std::string, ResidualSummary> summarizeGroups(const std::map<std::string, std::vector<double>>& groups) {
@@ -76,16 +82,17 @@ Model modelFromResult(const StoredResult& result, const Measurements& measuremen
   return model;
 }
 
-/// Sets a placement's unknowns such that start + unknowns = `placement`.
-void placeAt(const Term& term, const Eigen::Matrix<double, 6, 1>& start, const Placement& placement,
-             Eigen::VectorXd& unknowns) {
-  const std::map<std::string, std::pair<int, double>> numbers{
-      {"x", {0, placement.x}},       {"y", {1, placement.y}},         {"z", {2, placement.z}},
-      {"roll", {3, placement.roll}}, {"pitch", {4, placement.pitch}}, {"yaw", {5, placement.yaw}}};
-  for (std::size_t i = 0; i < term.effect.unknowns.size(); ++i) {
-    const auto& [number, value] = numbers.at(term.effect.unknowns[i].name);
-    unknowns[static_cast<Eigen::Index>(term.first + i)] = value - start[number];
-  }
+/// Whether a placement in a result holds for further captures, too: floor boards are laid out and robots put down anew.
+bool isLasting(const Term& term, const Measurements& measurements) {
+  const PlaceKind place = term.effect.placeKind;
+  return place != PlaceKind::stance && (place != PlaceKind::board || !measurements.targets[term.placeIndex].isFlat);
+}
+
+/// Whether a placement that a result does not tell is estimated: not where it is one on a NAO, of which the guess
+/// holds.
+bool isEstimated(const Term& term, const Measurements& measurements) {
+  return term.effect.placeKind != PlaceKind::board || measurements.targets[term.placeIndex].inWorld ||
+         measurements.quantities.scene().hasLinkSteps;
 }
 
 /// Takes the unknowns of a model for the new captures from the result.
@@ -103,18 +110,11 @@ Prediction preparePrediction(const Model& model, const StoredResult& result, con
     if (!term.isPlacement) {
       continue;
     }
-    const bool isBoard = term.effect.placeKind == PlaceKind::board;
-    const bool inWorld = !isBoard || measurements.targets[term.placeIndex].inWorld;
-    const auto& known = isBoard ? result.boards : result.stances;
-    const auto placement = known.find(term.placeName);
-    if (placement != known.end() && (samePlace || !inWorld)) {
-      const ModelState& drawn = measurements.pictures.front().nominal;
-      const Eigen::Matrix<double, 6, 1> start = isBoard
-                                                    ? Eigen::Matrix<double, 6, 1>{drawn.boardPlacement(term.placeIndex)}
-                                                    : Eigen::Matrix<double, 6, 1>::Zero();
-      placeAt(term, start, placement->second, all.unknowns);
-    } else {
-      std::fill_n(all.free.begin() + static_cast<std::ptrdiff_t>(term.first), term.effect.unknowns.size(), inWorld);
+    const bool isTaken = (samePlace || isLasting(term, measurements)) &&
+                         placeAsStored(result.placements, measurements, term, all.unknowns);
+    if (!isTaken) {
+      std::fill_n(all.free.begin() + static_cast<std::ptrdiff_t>(term.first), term.effect.unknowns.size(),
+                  isEstimated(term, measurements));
     }
   }
   return all;
@@ -148,7 +148,7 @@ StoredResult readKnownResult(const std::filesystem::path& file) {
 Comparison compare(const StoredResult& result, const std::vector<CaptureSet>& sets, const Robot& robot,
                    bool samePlace) {
   const Measurements measurements = buildMeasurements(sets, robot, samePlace);
-  if (measurements.cornerCount == 0) {
+  if (measurements.cornerCount + measurements.witnessCount == 0) {
     throw InputError{"these captures show no corner to compare with"};
   }
   const Prediction prediction = preparePrediction(result, measurements, samePlace);
@@ -156,7 +156,9 @@ Comparison compare(const StoredResult& result, const std::vector<CaptureSet>& se
   comparison.ignored = prediction.ignored;
   std::vector<double> all, nominal;
   std::map<std::string, std::vector<double>> byBoard, byCamera, byPose;
-  for (const BoardResidual& seen : plainResiduals(measurements, prediction)) {
+  const PlainResiduals errors = plainResiduals(measurements, prediction);
+  comparison.readings = summarizeReadings(errors.readings);
+  for (const BoardResidual& seen : errors.boards) {
     const ImageObservation& picture = measurements.pictures[seen.picture];
     for (Eigen::Index i = 0; i < seen.residual.cols(); ++i) {
       const double distance = seen.residual.col(i).norm();
@@ -167,7 +169,9 @@ Comparison compare(const StoredResult& result, const std::vector<CaptureSet>& se
     }
   }
   const Prediction drawn = preparePrediction(prediction.model, StoredResult{}, measurements, samePlace);
-  for (const BoardResidual& seen : plainResiduals(measurements, drawn)) {
+  const PlainResiduals drawnErrors = plainResiduals(measurements, drawn);
+  comparison.nominalReadings = summarizeReadings(drawnErrors.readings);
+  for (const BoardResidual& seen : drawnErrors.boards) {
     for (Eigen::Index i = 0; i < seen.residual.cols(); ++i) {
       nominal.push_back(seen.residual.col(i).norm());
     }
@@ -178,6 +182,12 @@ Comparison compare(const StoredResult& result, const std::vector<CaptureSet>& se
   comparison.byCamera = summarizeGroups(byCamera);
   comparison.byPose = summarizeGroups(byPose);
   return comparison;
+}
+
+PredictionErrors predictionErrors(const StoredResult& result, const std::vector<CaptureSet>& sets, const Robot& robot) {
+  const Measurements measurements = buildMeasurements(sets, robot);
+  const PlainResiduals errors = plainResiduals(measurements, preparePrediction(result, measurements, false));
+  return {collectDistances(errors.boards), errors.readings};
 }
 
 double weightedError(const StoredResult& result, const std::vector<CaptureSet>& sets, const Robot& robot,
@@ -191,7 +201,7 @@ double weightedError(const StoredResult& result, const std::vector<CaptureSet>& 
   for (const MarginalSystem& pose : minimum.linear.eliminated) {
     chi2 += 2 * pose.cost;
   }
-  return noise.pixel * std::sqrt(chi2 / static_cast<double>(measurements.cornerCount));
+  return noise.pixel * std::sqrt(chi2 / static_cast<double>(measurements.cornerCount + measurements.witnessCount));
 }
 
 nlohmann::json comparisonJson(const Comparison& comparison) {
@@ -206,7 +216,9 @@ nlohmann::json comparisonJson(const Comparison& comparison) {
     return result;
   };
   nlohmann::json result = withFormat("naocal-compare", one(comparison.all));
+  result.update(toJson(comparison.readings));
   result["nominal"] = one(comparison.nominal);
+  result["nominal"].update(toJson(comparison.nominalReadings));
   result["byBoard"] = many(comparison.byBoard);
   result["byCamera"] = many(comparison.byCamera);
   result["byPose"] = many(comparison.byPose);

@@ -18,12 +18,20 @@ StoredResult readKnownResult(const std::filesystem::path& file);
 struct Comparison {
   ResidualSummary all, nominal; // nominal: the same captures under the nominal model
   std::map<std::string, ResidualSummary> byBoard, byCamera, byPose;
-  std::vector<std::string> ignored; // terms of the result that do not apply to these captures
+  ReadingErrors readings, nominalReadings; // of measurements other than corners
+  std::vector<std::string> ignored;        // terms of the result that do not apply to these captures
 };
 
-/// Predicts the corners of `sets` from a result's estimates. Takes placements of targets fixed to the robot from the
-/// result; re-estimates those of floor boards and stances unless `samePlace`.
+/// Predicts the measurements of `sets` from a result's estimates. Takes the placements that it has from the result, but
+/// those of floor boards and stances only if `samePlace`; estimates all others.
 Comparison compare(const StoredResult& result, const std::vector<CaptureSet>& sets, const Robot& robot, bool samePlace);
+
+/// Error lengths one by one, for summaries over several predictions.
+struct PredictionErrors {
+  std::vector<double> pixels; // of corners [px]
+  ReadingLengths readings;
+};
+PredictionErrors predictionErrors(const StoredResult& result, const std::vector<CaptureSet>& sets, const Robot& robot);
 
 /// rms error per corner [px], accounting for the joints' random deflections at `noise`:
 ///

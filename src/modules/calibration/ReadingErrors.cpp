@@ -60,35 +60,55 @@ ReadingSummary summarizeLengths(std::vector<double> lengths) {
   return result;
 }
 
-ReadingErrors summarizeReadings(const Measurements& measurements, const std::vector<WitnessResidual>& residuals) {
-  Lengths metres, radians;
-  std::map<std::string, Lengths> byMarker;
-  std::vector<double> contacts;
+void ReadingLengths::append(const ReadingLengths& other) {
+  const auto join = [](auto& all, const auto& further) {
+    for (const auto& [name, lengths] : further) {
+      all[name].insert(all[name].end(), lengths.begin(), lengths.end());
+    }
+  };
+  join(metres, other.metres);
+  join(radians, other.radians);
+  for (const auto& [tracker, lengths] : other.byMarker) {
+    join(byMarker[tracker], lengths);
+  }
+  contacts.insert(contacts.end(), other.contacts.begin(), other.contacts.end());
+}
+
+ReadingLengths collectLengths(const Measurements& measurements, const std::vector<WitnessResidual>& residuals) {
+  ReadingLengths result;
   for (const WitnessResidual& one : residuals) {
     const Witness& witness = *measurements.pictures[one.picture].witnesses[one.witness].witness;
     for (const Witness::Part& part : witness.parts()) {
       const ReadingLevel& level = measurements.levels[part.level];
       const double length = one.residual.segment(part.first, part.count).norm();
       if (level.name == contactLevel) {
-        contacts.push_back(length);
+        result.contacts.push_back(length);
       } else if (witness.target().empty()) {
         continue; // distances between places are no error of the robot
       } else if (level.unit == ReadingLevel::Unit::radians) {
-        radians[level.name].push_back(length);
+        result.radians[level.name].push_back(length);
       } else {
-        metres[level.name].push_back(length);
-        byMarker[level.name][witness.target()].push_back(length);
+        result.metres[level.name].push_back(length);
+        result.byMarker[level.name][witness.target()].push_back(length);
       }
     }
   }
-  ReadingErrors errors{summarizeAll(metres), summarizeAll(radians), {}, {}};
-  for (const auto& [tracker, lengths] : byMarker) {
-    errors.byMarker[tracker] = summarizeAll(lengths);
+  return result;
+}
+
+ReadingErrors summarizeReadings(const ReadingLengths& lengths) {
+  ReadingErrors errors{summarizeAll(lengths.metres), summarizeAll(lengths.radians), {}, {}};
+  for (const auto& [tracker, all] : lengths.byMarker) {
+    errors.byMarker[tracker] = summarizeAll(all);
   }
-  if (!contacts.empty()) {
-    errors.contacts = summarizeLengths(contacts);
+  if (!lengths.contacts.empty()) {
+    errors.contacts = summarizeLengths(lengths.contacts);
   }
   return errors;
+}
+
+ReadingErrors summarizeReadings(const Measurements& measurements, const std::vector<WitnessResidual>& residuals) {
+  return summarizeReadings(collectLengths(measurements, residuals));
 }
 
 json toJson(const ReadingErrors& errors) {

@@ -17,6 +17,16 @@ struct ReadingSummary {
 };
 ReadingSummary summarizeLengths(std::vector<double> lengths);
 
+/// Lengths of error vectors of measurements other than corners, one by one.
+struct ReadingLengths {
+  std::map<std::string, std::vector<double>> metres, radians;                 // by tracker
+  std::map<std::string, std::map<std::string, std::vector<double>>> byMarker; // by tracker and marker or frame [m]
+  std::vector<double> contacts;                                               // marker to place [m]
+
+  void append(const ReadingLengths& other);
+};
+ReadingLengths collectLengths(const Measurements& measurements, const std::vector<WitnessResidual>& residuals);
+
 /// Errors of measurements other than corners.
 struct ReadingErrors {
   std::map<std::string, ReadingSummary> metres, radians;                 // by tracker
@@ -25,6 +35,7 @@ struct ReadingErrors {
 
   bool empty() const { return metres.empty() && radians.empty() && !contacts; }
 };
+ReadingErrors summarizeReadings(const ReadingLengths& lengths);
 ReadingErrors summarizeReadings(const Measurements& measurements, const std::vector<WitnessResidual>& residuals);
 
 /// Keys `metres`, `radians`, `byMarker` and `contacts`, as far as there is something to say.

@@ -2,6 +2,7 @@
 
 #include "calibration/Calibration.hpp"
 #include "calibration/KnownEffects.hpp"
+#include "calibration/PlacementFile.hpp"
 #include "calibration/Verdict.hpp"
 #include "data/SetSearch.hpp"
 #include "estimation/DriverState.hpp"
@@ -83,11 +84,6 @@ json camerasJson(const std::vector<CaptureSet>& sets) {
   return cameras;
 }
 
-Placement placementFrom(const json& value) {
-  return {value.value("x", 0.0),    value.value("y", 0.0),     value.value("z", 0.0),
-          value.value("roll", 0.0), value.value("pitch", 0.0), value.value("yaw", 0.0)};
-}
-
 Noise noiseFrom(const json& entry, const std::string& file) {
   const Noise usual;
   const Noise noise{.pixel = entry.value("pixel", usual.pixel),
@@ -136,61 +132,6 @@ json effectsJson(const Model& model, const CalibrationResult& result) {
   return effects;
 }
 
-json placementJson(const Eigen::Matrix<double, 6, 1>& p, bool isFlat) {
-  if (isFlat) {
-    return {{"x", p[0]}, {"y", p[1]}, {"yaw", p[5]}};
-  }
-  return {{"x", p[0]}, {"y", p[1]}, {"z", p[2]}, {"roll", p[3]}, {"pitch", p[4]}, {"yaw", p[5]}};
-}
-
-bool isIdentity(const RigidTransform& transform) {
-  return transform.rotation == Eigen::Matrix3d::Identity() && transform.translation == Eigen::Vector3d::Zero();
-}
-
-/// A placement that counts from a reference, in the frame that the reference is in.
-Eigen::Matrix<double, 6, 1> fromReference(const RigidTransform& reference, const Eigen::Matrix<double, 6, 1>& p) {
-  return isIdentity(reference) ? p : placementFromTransform(reference * transformFromPlacement(p));
-}
-
-/// worldFromMount of a camera beside the robot, in the axes that its set names.
-Eigen::Matrix<double, 6, 1> cameraPlacement(const Measurements& measurements, std::size_t camera,
-                                            const ModelState& modelState) {
-  const CameraMount& mount = measurements.robot.cameras[camera];
-  const bool isOptical = measurements.sets->front().mountings.at(mount.name).isOptical;
-  return placementFromTransform(isOptical ? linkFromOptical(mount, modelState) : linkFromCamera(mount, modelState));
-}
-
-/// Placements of cameras beside the robot, instruments and what they measure; only what there is.
-void addInstrumentPlacements(const FittedModel& fitted, json& placements) {
-  const Measurements& measurements = fitted.measurements;
-  const ModelState modelState =
-      predictState(measurements, fitted.model, measurements.pictures.front(), fitted.fit.unknowns);
-  for (const ImageObservation& picture : measurements.pictures) {
-    if (picture.camera != ImageObservation::noCamera && measurements.robot.cameras[picture.camera].inWorld) {
-      placements["cameras"][measurements.robot.cameras[picture.camera].name] =
-          placementJson(cameraPlacement(measurements, picture.camera,
-                                        predictState(measurements, fitted.model, picture, fitted.fit.unknowns)),
-                        false);
-    }
-  }
-  const InstrumentList& all = measurements.instruments;
-  const auto pointJson = [](const Eigen::Vector3d& point) { return json{point.x(), point.y(), point.z()}; };
-  for (std::size_t i = 0; i < all.trackers.size(); ++i) {
-    placements["trackers"][all.trackers[i].name] =
-        placementJson(fromReference(all.trackers[i].reference, modelState.trackerPlacement(i)), false);
-  }
-  for (std::size_t i = 0; i < all.markers.size(); ++i) {
-    placements["markers"][all.markers[i].name] = pointJson(modelState.marker(i));
-  }
-  for (std::size_t i = 0; i < all.frames.size(); ++i) {
-    placements["frames"][all.frames[i].name] =
-        placementJson(fromReference(all.frames[i].reference, modelState.framePlacement(i)), false);
-  }
-  for (std::size_t i = 0; i < all.places.size(); ++i) {
-    placements["places"][all.places[i].name] = pointJson(modelState.place(i));
-  }
-}
-
 /// Noise of readings by instrument, and whether the set gave it or it was estimated.
 json readingNoiseJson(const Measurements& measurements, const Noise& noise) {
   json result = json::object();
@@ -200,27 +141,6 @@ json readingNoiseJson(const Measurements& measurements, const Noise& noise) {
         {"sigma", sigmaOf(measurements, noise, i)}, {"source", level.isGiven ? "given" : "estimated"}};
   }
   return result;
-}
-
-json placementsJson(const FittedModel& fitted) {
-  json boards = json::object(), stances = json::object();
-  for (const ImageObservation& picture : fitted.measurements.pictures) {
-    const ModelState modelState = predictState(fitted.measurements, fitted.model, picture, fitted.fit.unknowns);
-    for (const BoardObservation& observation : picture.observations) {
-      const Target& target = fitted.measurements.targets[observation.view.board()];
-      boards[target.name] = placementJson(
-          fromReference(target.reference, modelState.boardPlacement(observation.view.board())), target.isFlat);
-      if (target.inWorld) {
-        const StanceInstance& stance = fitted.measurements.stances[picture.stance];
-        stances[stance.name] = placementJson(modelState.worldFromSupport(), stance.isFlat);
-      }
-    }
-  }
-  json placements{{"boards", std::move(boards)}, {"stances", std::move(stances)}};
-  if (fitted.measurements.quantities.scene().hasLinkSteps || fitted.measurements.witnessCount > 0) {
-    addInstrumentPlacements(fitted, placements);
-  }
-  return placements;
 }
 
 /// Standard errors of the estimated placements, keyed by "boardPlacement@A".
@@ -337,12 +257,7 @@ StoredResult parseResult(const json& all, const std::string& name) {
         result.learned[label + "." + key] = unknown.value("learned", 1.0);
       }
     }
-    for (const auto& [id, placement] : all.at("placements").at("boards").items()) {
-      result.boards[id] = placementFrom(placement);
-    }
-    for (const auto& [id, placement] : all.at("placements").at("stances").items()) {
-      result.stances[id] = placementFrom(placement);
-    }
+    result.placements = parsePlacements(all.at("placements"));
     return result;
   } catch (const json::exception& error) {
     throw InputError{fmt::format("{}: not a result file as 'naocal solve' writes it: {}", name, error.what())};

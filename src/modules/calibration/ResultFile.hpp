@@ -1,6 +1,7 @@
 #pragma once
 
 #include "calibration/Calibration.hpp"
+#include "calibration/PlacementFile.hpp"
 
 #include <filesystem>
 #include <map>
@@ -30,12 +31,11 @@ nlohmann::json resultJson(const FittedModel& fitted, const ResultSources& inputs
 
 /// Robot and scene as read from a result file, without uncertainties.
 struct StoredResult {
-  std::vector<std::string> terms;           // "jointOffset@LKneePitch"
-  std::map<std::string, double> values;     // "jointOffset@LKneePitch.o" -> value [the unknown's unit]
-  std::map<std::string, Placement> boards;  // by name
-  std::map<std::string, Placement> stances; // by name
-  std::string definitions = "[]";           // user-defined effects: a JSON list
-  Noise noise;                              // noise levels of the fit
+  std::vector<std::string> terms;       // "jointOffset@LKneePitch"
+  std::map<std::string, double> values; // "jointOffset@LKneePitch.o" -> value [the unknown's unit]
+  StoredPlacements placements;
+  std::string definitions = "[]"; // user-defined effects: a JSON list
+  Noise noise;                    // noise levels of the fit
   bool usable = false;
   std::string robot = "V6";              // its model
   std::string sentence;                  // the verdict; empty: not in the file

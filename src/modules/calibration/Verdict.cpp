@@ -7,6 +7,7 @@
 #include "inference/Thresholds.hpp"
 #include "math/Angles.hpp"
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -16,8 +17,51 @@ namespace naocal {
 
 namespace {
 
+/// The placement that an offset is most correlated with.
+const Term* findImitator(const Model& model, const CalibrationResult& result, const Term& offset) {
+  const auto own = static_cast<Eigen::Index>(offset.first);
+  const Term* best = nullptr;
+  double most = 0;
+  for (const Term& term : model.terms()) {
+    for (std::size_t i = 0; i < term.effect.unknowns.size() && term.isPlacement; ++i) {
+      const auto other = static_cast<Eigen::Index>(term.first + i);
+      const double share = std::abs(result.covariance(own, other)) / std::sqrt(result.covariance(other, other));
+      if (share > most) {
+        most = share;
+        best = &term;
+      }
+    }
+  }
+  return best;
+}
+
+/// Whether an offset of a robot with a URDF is not determined only because unknown placements do what it does: with the
+/// placements known it would be.
+bool isHeld(const Measurements& measurements, const Model& model, const CalibrationResult& result, const Term& offset) {
+  constexpr double untold = 0.5;
+  if (!measurements.quantities.scene().hasLinkSteps || offset.effect.name != effectName::jointOffset ||
+      result.estimates[offset.first].learned >= untold) {
+    return false;
+  }
+  std::vector<Eigen::Index> placements;
+  for (const Term& term : model.terms()) {
+    for (std::size_t i = 0; i < term.effect.unknowns.size() && term.isPlacement; ++i) {
+      placements.push_back(static_cast<Eigen::Index>(term.first + i));
+    }
+  }
+  const auto own = static_cast<Eigen::Index>(offset.first);
+  const Eigen::MatrixXd& covariance = result.covariance;
+  const Eigen::VectorXd scales = covariance.diagonal()(placements).cwiseSqrt();
+  const Eigen::MatrixXd among =
+      scales.cwiseInverse().asDiagonal() * covariance(placements, placements) * scales.cwiseInverse().asDiagonal();
+  const Eigen::VectorXd with = covariance.col(own)(placements).cwiseQuotient(scales);
+  const double left = covariance(own, own) - with.dot(among.completeOrthogonalDecomposition().solve(with));
+  return std::sqrt(std::max(0.0, left)) < untold * offset.effect.unknowns.front().sigma;
+}
+
 /// Whether the model explains the captures, and if not, whether the offsets remain reliable.
-ResultVerdict judgeExplained(const Model& model, const CalibrationResult& result, bool missing) {
+ResultVerdict judgeExplained(const Measurements& measurements, const Model& model, const CalibrationResult& result,
+                             bool missing) {
   constexpr double widest = radians(0.5); // [rad]: limit of half an offset's 95 % interval
   const bool fits = result.misfitLeft < threshold::misfit || result.rmsPx < result.noiseFloorPx;
   if (!missing && fits && result.noise.pose < suspectScatter) {
@@ -25,7 +69,7 @@ ResultVerdict judgeExplained(const Model& model, const CalibrationResult& result
   }
   bool holds = result.misfitLeft < threshold::bearableMisfit;
   for (const Term& term : model.terms()) {
-    if (term.effect.name == effectName::jointOffset && term.requested) {
+    if (term.effect.name == effectName::jointOffset && term.requested && !isHeld(measurements, model, result, term)) {
       const auto [low, high] = result.estimates[term.first].interval();
       holds = holds && high - low < 2 * widest;
     }
@@ -67,10 +111,18 @@ void warn(About about, std::string sentence, CalibrationResult& result) {
   result.warnings.push_back({about, std::move(sentence)});
 }
 
-/// Warns of offsets that the captures do not determine; such a result is unusable.
-void checkOffsets(const Model& model, CalibrationResult& result) {
+/// Warns of offsets that the captures do not determine; such a result is unusable, unless an unknown placement does
+/// what the offset would do: that one is held at zero.
+void checkOffsets(const Measurements& measurements, const Model& model, CalibrationResult& result) {
   for (const Term& term : model.terms()) {
     const Estimate& estimate = result.estimates[term.first];
+    if (const auto imitator = isHeld(measurements, model, result, term) ? findImitator(model, result, term) : nullptr) {
+      warn(About::offset,
+           fmt::format("{} cannot be told from {} ({}) and is held at zero (±{:.1f}°)", describeUnknown(term, 0),
+                       imitator->effect.name, imitator->placeName, degrees(estimate.sigma)),
+           result);
+      continue;
+    }
     if (term.effect.name == effectName::jointOffset && term.requested && estimate.learned < 0.5) {
       result.usable = false;
       warn(About::offset,
@@ -150,15 +202,15 @@ void judgeResult(const Measurements& measurements, const Model& model, Calibrati
     warn(About::fit, "the search did not converge: try --restarts 20, and check the robot's model and the boards",
          result);
   }
-  checkOffsets(model, result);
+  checkOffsets(measurements, model, result);
   checkFloorError(result);
   const bool missing = result.pValue <= threshold::alarm && result.matters;
   const DisplacedBoardCount displaced{measurements, result.outliers};
   // reports a missing effect first: it implies that the offsets are uncertain
   const std::string firm =
       result.usable || (missing && result.converged) ? std::string{} : result.warnings.front().sentence;
-  result.verdict =
-      result.usable ? judgeExplained(model, result, missing || displaced.areMany()) : ResultVerdict::doNotUse;
+  result.verdict = result.usable ? judgeExplained(measurements, model, result, missing || displaced.areMany())
+                                 : ResultVerdict::doNotUse;
   result.usable = result.verdict != ResultVerdict::doNotUse;
   result.sentence = formatVerdict(result, displaced, formatCause(result, missing), firm);
   warnOfOutliers(result);

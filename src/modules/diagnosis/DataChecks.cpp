@@ -73,8 +73,9 @@ std::optional<DataAnomaly> findSetUp(const CandidateTests& candidateTests, const
                                    100 * std::abs(size), size > 0 ? "larger" : "smaller")};
   }
   if (term.effect.name == effectName::encoderGain && evidence.estimate[0] < mirrored) {
-    return DataAnomaly{{},
-                       fmt::format("{} seems to turn the other way: its angles have the wrong sign", term.placeName)};
+    return DataAnomaly{
+        .why = fmt::format("{} seems to turn the other way: its angles have the wrong sign", term.placeName),
+        .setUp = reversedJoint + term.placeName};
   }
   return std::nullopt;
 }
@@ -113,6 +114,22 @@ std::vector<DataAnomaly> findAnomalies(const FittedModel& fitted, const Candidat
   return result;
 }
 
+namespace {
+
+/// Id of the first capture after a moment.
+std::optional<int> firstCaptureAfter(const Moment& moment, const Measurements& measurements) {
+  const ImageObservation* first = nullptr;
+  for (const ImageObservation& picture : measurements.pictures) {
+    const bool isLater = picture.set == moment.set && picture.instant.time.count() > moment.time;
+    if (isLater && (!first || picture.instant.time < first->instant.time)) {
+      first = &picture;
+    }
+  }
+  return first ? std::optional{measurements.captureOf(*first).id} : std::nullopt;
+}
+
+} // namespace
+
 std::vector<DataAnomaly> findTransientAnomalies(const FittedModel& fitted, const CandidateTests& candidateTests) {
   const auto likeliest = findLikeliestEvent(fitted, candidateTests);
   if (!likeliest) {
@@ -120,7 +137,11 @@ std::vector<DataAnomaly> findTransientAnomalies(const FittedModel& fitted, const
   }
   const auto& [event, odds, why] = *likeliest;
   if (event.captures.empty()) {
-    return {{.capture = {}, .why = why, .odds = odds, .when = event.from.value()}};
+    DataAnomaly anomaly{.capture = {}, .why = why, .odds = odds, .when = event.from.value(), .moved = event.moved};
+    if (!event.moved.empty()) {
+      anomaly.from = firstCaptureAfter(*event.from, fitted.measurements);
+    }
+    return {anomaly};
   }
   std::vector<DataAnomaly> result;
   for (const int id : event.captures) {

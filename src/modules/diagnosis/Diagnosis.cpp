@@ -11,11 +11,14 @@
 #include "estimation/ModelBuilder.hpp"
 #include "inference/Thresholds.hpp"
 #include "io/InputError.hpp"
+#include "math/Angles.hpp"
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <iterator>
 #include <list>
+#include <map>
 
 namespace naocal {
 
@@ -56,7 +59,9 @@ std::optional<ImageField> noteworthyField(const std::optional<ImageField>& field
 }
 
 /// `missing`: a named effect explains the misfit. `unknown`: only an unnamed curve does.
-Verdict verdictOf(const Diagnosis& diagnosis, double misfitLeft, bool missing, bool unknown) {
+/// `unknownSteps`: the encoders' noise is part of the scatter.
+Verdict verdictOf(const Diagnosis& diagnosis, double misfitLeft, bool missing, bool unknown, bool unknownSteps) {
+  constexpr double encoderScatter = radians(0.02); // of an encoder whose step is not known
   if (!diagnosis.anomalies.empty()) {
     return Verdict::badCaptures;
   }
@@ -71,7 +76,35 @@ Verdict verdictOf(const Diagnosis& diagnosis, double misfitLeft, bool missing, b
   if (diagnosis.unexplained || (misfitLeft > threshold::misfit && matters)) {
     return Verdict::inconclusive;
   }
-  return diagnosis.fit.scatter > threshold::scatterRatio ? Verdict::scatter : Verdict::adequate;
+  const bool isExpected = unknownSteps && diagnosis.scatter < encoderScatter;
+  return diagnosis.fit.scatter > threshold::scatterRatio && !isExpected ? Verdict::scatter : Verdict::adequate;
+}
+
+/// Whether a joint of a robot with a URDF has an encoder whose step its set does not tell.
+bool hasUnknownSteps(const Measurements& measurements) {
+  const CaptureSet& set = measurements.sets->front();
+  return !set.urdf.empty() &&
+         std::any_of(measurements.joints.begin(), measurements.joints.end(), [&](std::size_t joint) {
+           return !set.encoderSteps.contains(measurements.robot.joints[joint].name);
+         });
+}
+
+/// Millimetres of a point measured in three axes, for sets without pictures: of the level with the most readings.
+ErrorUnit errorUnitOf(const Measurements& measurements, const Noise& noise) {
+  if (measurements.cornerCount > 0) {
+    return {};
+  }
+  std::map<std::size_t, std::size_t> readings;
+  for (const ImageObservation& picture : measurements.pictures) {
+    for (const WitnessObservation& observation : picture.witnesses) {
+      const Witness::Part& part = observation.witness->parts().front();
+      readings[part.level] += observation.view ? 1 : 0;
+    }
+  }
+  const auto most = std::max_element(readings.begin(), readings.end(),
+                                     [](const auto& a, const auto& b) { return a.second < b.second; });
+  const double perAxis = sigmaOf(measurements, noise, most->first) / (std::sqrt(2.0) * noise.pixel);
+  return {"mm", 1e3 * std::sqrt(3.0) * perAxis};
 }
 
 /// Appends anomalies of captures without an earlier anomaly.
@@ -195,7 +228,11 @@ private:
     const bool missing = !result_.suggested.empty() || (!last_.grows && last_.next);
     result_.unexplained = last_.alarm && !last_.next && !last_.unknown() && !missing;
     result_.scatter = selection_.fit().noise.pose;
-    result_.verdict = verdictOf(result_, selection_.fit().misfit, missing, last_.unknown());
+    result_.unit = errorUnitOf(measurements_, selection_.fit().noise);
+    const std::vector<DataAnomaly> slipped = findSlippedCounts({measurements_, asked_, result_.fit});
+    result_.anomalies.insert(result_.anomalies.begin(), slipped.begin(), slipped.end());
+    result_.verdict =
+        verdictOf(result_, selection_.fit().misfit, missing, last_.unknown(), hasUnknownSteps(measurements_));
     result_.with = selection_.added();
   }
 

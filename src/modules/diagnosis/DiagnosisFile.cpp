@@ -107,6 +107,15 @@ Json anomalyJson(const DataAnomaly& anomaly) {
   if (anomaly.capture) {
     entry["capture"] = *anomaly.capture;
   }
+  if (!anomaly.setUp.empty()) {
+    entry["setUp"] = anomaly.setUp;
+  }
+  if (!anomaly.moved.empty()) {
+    entry["moved"] = anomaly.moved;
+  }
+  if (anomaly.from) {
+    entry["from"] = *anomaly.from;
+  }
   if (anomaly.odds) {
     entry["odds"] = *anomaly.odds;
   }
@@ -146,6 +155,20 @@ Json diagnosisJson(const Diagnosis& diagnosis, std::size_t mostPoints) {
                   {"seconds", diagnosis.seconds}});
   result["ranking"] = listJson<CandidateFinding>(
       diagnosis.ranking, [&](const CandidateFinding& finding) { return rankingEntry(finding, mostPoints); });
+  for (const DataAnomaly& anomaly : diagnosis.anomalies) {
+    if (!anomaly.setUp.empty()) { // stands first
+      const std::size_t at = anomaly.setUp.find('@');
+      result["ranking"].insert(result["ranking"].begin(), Json{{"effect", anomaly.setUp.substr(0, at)},
+                                                               {"at", anomaly.setUp.substr(at + 1)},
+                                                               {"unknowns", Json::object()},
+                                                               {"state", "present"},
+                                                               {"equivalent", Json::array()},
+                                                               {"why", anomaly.why}});
+    }
+  }
+  if (diagnosis.unit.perPx != 1) {
+    result["errorUnit"] = {{"name", diagnosis.unit.name}, {"perPx", diagnosis.unit.perPx}};
+  }
   result["steps"] = listJson<SelectionStep>(diagnosis.steps, stepJson);
   result["drivers"] = listJson<DriverCurve>(diagnosis.driverCurves, driverJson);
   result["map"] = listJson<DriverScore>(diagnosis.driverScores, scoreJson);

@@ -65,6 +65,15 @@ struct DataAnomaly {
   std::size_t set = 0;             // set of the capture
   std::optional<double> odds = {}; // odds (x to 1) against the best effect or curve, where compared
   std::optional<Moment> when = {}; // moment of an event between two captures
+  std::string setUp = {};          // a wrong set-up that can be mended: "reversedJoint@LElbowRoll"
+  std::string moved = {};          // id of the board, tracker, camera or stance that moved
+  std::optional<int> from = {};    // id of the first capture after that
+};
+
+/// Unit in which people read errors that are computed in pixels.
+struct ErrorUnit {
+  std::string name = "px";
+  double perPx = 1;
 };
 
 /// One step of the selection: the model with one more effect.
@@ -88,6 +97,7 @@ struct OwnEffect {
 struct Diagnosis {
   Verdict verdict = Verdict::adequate;
   std::string sentence;
+  ErrorUnit unit;      // of errors, for people
   LackOfFit lackOfFit; // of the model as given
   double rmsPx = 0;
   double alarm = 1;                      // of the model as given

@@ -37,9 +37,10 @@ std::string formatMissing(const Diagnosis& diagnosis) {
   const SelectionStep &before = diagnosis.steps.front(), &after = diagnosis.steps.back();
   const std::optional<double>& heldOut = diagnosis.suggested.empty() ? before.nextPx : after.heldOutPx;
   if (before.heldOutPx && heldOut) {
-    text += fmt::format(" The held-out error {} from {:.2f} to {:.2f} px (noise floor: {:.2f} px).",
-                        *heldOut < *before.heldOutPx ? "falls" : "does not fall:", *before.heldOutPx, *heldOut,
-                        after.noiseFloorPx);
+    const ErrorUnit& unit = diagnosis.unit;
+    text += fmt::format(" The held-out error {} from {:.2f} to {:.2f} {unit} (noise floor: {:.2f} {unit}).",
+                        *heldOut < *before.heldOutPx ? "falls" : "does not fall:", unit.perPx * *before.heldOutPx,
+                        unit.perPx * *heldOut, unit.perPx * after.noiseFloorPx, fmt::arg("unit", unit.name));
   }
   return text;
 }
@@ -79,9 +80,9 @@ std::string formatUnknown(const Diagnosis& diagnosis) {
   std::string own;
   if (diagnosis.own) {
     named.pop_back();
-    own = fmt::format("As a custom effect, {}, it lowers the held-out error from {:.2f} to {:.2f} px.",
-                      diagnosis.own->label, *std::prev(diagnosis.steps.end(), 2)->heldOutPx,
-                      *diagnosis.own->step.heldOutPx);
+    own = fmt::format("As a custom effect, {}, it lowers the held-out error from {:.2f} to {:.2f} {}.",
+                      diagnosis.own->label, diagnosis.unit.perPx * *std::prev(diagnosis.steps.end(), 2)->heldOutPx,
+                      diagnosis.unit.perPx * *diagnosis.own->step.heldOutPx, diagnosis.unit.name);
   }
   return fmt::format("unknown effect: no effect in the catalogue explains the misfit. It sits at {} and varies with {} "
                      "({}), by about {}{}.{}{}",
@@ -204,9 +205,10 @@ std::string summarize(const Diagnosis& diagnosis) {
         diagnosis.lackOfFit.pValue);
   case Verdict::adequate:
     return fmt::format(
-        "The model explains these captures: the error is {:.2f} px, the noise floor {:.2f} px. Pure noise "
+        "The model explains these captures: the error is {:.2f} {unit}, the noise floor {:.2f} {unit}. Pure noise "
         "produces a best candidate this strong in {} of cases.",
-        diagnosis.rmsPx, diagnosis.lackOfFit.noiseFloorPx, percent(diagnosis.alarm));
+        diagnosis.unit.perPx * diagnosis.rmsPx, diagnosis.unit.perPx * diagnosis.lackOfFit.noiseFloorPx,
+        percent(diagnosis.alarm), fmt::arg("unit", diagnosis.unit.name));
   }
   return {};
 }

@@ -56,6 +56,38 @@ Effect makeMove(PlaceKind place, const Moment& moment) {
   return effect;
 }
 
+/// Displacement of something that stands anyhow from a moment on: a board in the world, a camera beside the robot, a
+/// tracker.
+Effect makeMoveAnyhow(PlaceKind place, const Moment& moment) {
+  Effect effect{.name = place == PlaceKind::board    ? "boardMoved"
+                        : place == PlaceKind::camera ? "cameraMoved"
+                                                     : "trackerMoved",
+                .description = {},
+                .formula = {},
+                .placeKind = place,
+                .unknowns = {{"x", "m", 0.02},
+                             {"y", "m", 0.02},
+                             {"z", "m", 0.02},
+                             {"rx", "rad", 0.05},
+                             {"ry", "rad", 0.05},
+                             {"rz", "rad", 0.05}},
+                .correct = {}};
+  effect.correct = [place, moment](ModelState& modelState, const RobotSample& instant, std::size_t at,
+                                   std::span<const double> values) {
+    if (!isAfter(instant, moment)) {
+      return;
+    }
+    const StateLayout& layout = modelState.layout();
+    const std::size_t first = place == PlaceKind::board    ? layout.board(at)
+                              : place == PlaceKind::camera ? layout.mountTranslation()
+                                                           : layout.tracker(at);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      modelState.values[static_cast<Eigen::Index>(first + i)] += values[i];
+    }
+  };
+  return effect;
+}
+
 /// Camera rotation at the selected instants.
 Effect makeTurn(std::string name, std::function<bool(const RobotSample&)> when) {
   return {.name = std::move(name),
@@ -129,6 +161,7 @@ Times ofSeveral(const Times& all) {
 /// Observation times of everything that may be displaced; joints by their motors.
 struct Sightings {
   Times boards, stances, cameras, joints;
+  Times freeBoards, camerasBeside, trackers; // that stand anyhow
 };
 
 Sightings collectSightings(const Measurements& measurements) {
@@ -136,11 +169,23 @@ Sightings collectSightings(const Measurements& measurements) {
   for (const ImageObservation& picture : measurements.pictures) {
     const double time = picture.instant.time.count();
     for (const BoardObservation& observation : picture.observations) {
-      if (measurements.targets[observation.view.board()].inWorld) {
-        result.boards[{picture.set, observation.view.board()}].insert(time);
+      const Target& target = measurements.targets[observation.view.board()];
+      if (target.inWorld) {
+        (target.isFlat ? result.boards : result.freeBoards)[{picture.set, observation.view.board()}].insert(time);
+      }
+      if (target.isFlat) {
         result.stances[{picture.set, picture.stance}].insert(time);
       }
-      result.cameras[{picture.set, picture.camera}].insert(time);
+      const bool standsBeside = measurements.robot.cameras[picture.camera].inWorld;
+      (standsBeside ? result.camerasBeside : result.cameras)[{picture.set, picture.camera}].insert(time);
+    }
+    for (const WitnessObservation& observation : picture.witnesses) {
+      const std::vector<std::size_t>& own = observation.witness->own();
+      for (std::size_t tracker = 0; tracker < measurements.instruments.trackers.size(); ++tracker) {
+        if (std::find(own.begin(), own.end(), measurements.quantities.tracker(tracker)) != own.end()) {
+          result.trackers[{picture.set, tracker}].insert(time);
+        }
+      }
     }
     for (const std::size_t joint :
          picture.measuresNothing() ? std::vector<std::size_t>{} : observedJoints(measurements.robot, picture)) {
@@ -153,7 +198,7 @@ Sightings collectSightings(const Measurements& measurements) {
 /// Displacements of boards, stances, cameras and joint zeros, at up to `most` moments each.
 std::vector<TransientEvent> movesAt(std::size_t most, const Measurements& measurements) {
   std::vector<TransientEvent> result;
-  const auto addMoves = [&](const Times& times, const auto& effect, const auto& name) {
+  const auto addMoves = [&](const Times& times, const auto& effect, const auto& name, const auto& idOf) {
     for (const auto& [which, seen] : times) {
       const auto& [set, at] = which;
       const std::vector<double> moments = midpointsBetween(seen, most);
@@ -164,6 +209,7 @@ std::vector<TransientEvent> movesAt(std::size_t most, const Measurements& measur
                           .from = moment,
                           .who = who,
                           .where = where,
+                          .moved = idOf(at),
                           .set = set,
                           .prior = priorOf(moment, seen, moments.size())});
       }
@@ -171,15 +217,29 @@ std::vector<TransientEvent> movesAt(std::size_t most, const Measurements& measur
   };
   const Sightings all = collectSightings(measurements);
   // with a single board, a move is attributed to the robot; with a single camera, to the head
+  const auto targetId = [&](std::size_t at) { return measurements.targets[at].name; };
+  const auto cameraId = [&](std::size_t at) { return measurements.robot.cameras[at].name; };
+  const auto trackerId = [&](std::size_t at) { return measurements.instruments.trackers[at].name; };
+  const auto named = [](const char* kind, const auto& idOf) {
+    return [kind, &idOf](std::size_t at) { return kind + idOf(at); };
+  };
+  const auto moveAnyhow = [](PlaceKind place) {
+    return [place](const Moment& moment) { return makeMoveAnyhow(place, moment); };
+  };
   addMoves(
       ofSeveral(all.boards), [](const Moment& moment) { return makeMove(PlaceKind::board, moment); },
-      [&](std::size_t at) { return "board " + measurements.targets[at].name; });
+      named("board ", targetId), targetId);
   addMoves(
       all.stances, [](const Moment& moment) { return makeMove(PlaceKind::stance, moment); },
-      [&](std::size_t at) { return "the robot in stance " + measurements.stances[at].name; });
-  addMoves(ofSeveral(all.cameras), makeKnock,
-           [&](std::size_t at) { return "camera " + measurements.robot.cameras[at].name; });
-  addMoves(all.joints, makeStep, [&](std::size_t at) { return measurements.robot.joints[at].name; });
+      [&](std::size_t at) { return "the robot in stance " + measurements.stances[at].name; },
+      [&](std::size_t at) { return measurements.stances[at].name; });
+  addMoves(ofSeveral(all.cameras), makeKnock, named("camera ", cameraId), cameraId);
+  addMoves(
+      all.joints, makeStep, [&](std::size_t at) { return measurements.robot.joints[at].name; },
+      [](std::size_t) { return std::string{}; });
+  addMoves(all.freeBoards, moveAnyhow(PlaceKind::board), named("board ", targetId), targetId);
+  addMoves(all.camerasBeside, moveAnyhow(PlaceKind::camera), named("camera ", cameraId), cameraId);
+  addMoves(all.trackers, moveAnyhow(PlaceKind::tracker), named("tracker ", trackerId), trackerId);
   return result;
 }
 
@@ -240,7 +300,9 @@ std::string describeEvent(const TransientEvent& event, const Eigen::VectorXd& va
   }
   const PlaceKind place = event.term.effect.placeKind;
   const std::string how =
-      place == PlaceKind::motor    ? fmt::format("{}'s zero changed by {:+.2f}°", event.who, degrees(values[0]))
+      values.size() == 6           ? fmt::format("{} moved by {:.3g} mm and {:.2g}°", event.who,
+                                                 millimetres * values.head<3>().norm(), degrees(values.tail<3>().norm()))
+      : place == PlaceKind::motor  ? fmt::format("{}'s zero changed by {:+.2f}°", event.who, degrees(values[0]))
       : place == PlaceKind::camera ? fmt::format("{} turned by {:.2f}°", event.who, degrees(values.norm()))
                                    : fmt::format("{} moved by {:.0f} mm and {:.1f}°", event.who,
                                                  millimetres * values.head<2>().norm(), degrees(std::abs(values[2])));

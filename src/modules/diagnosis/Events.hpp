@@ -21,6 +21,7 @@ struct TransientEvent {
   Term term;
   std::optional<Moment> from; // start, if it persists
   std::string who, where;     // "board B"; " of SET" if there are several sets
+  std::string moved = {};     // id of the board, tracker or camera that moved, of a stance; empty for other events
   std::size_t set = 0;        // set of the event
   std::vector<int> captures;  // ids of the affected captures, if few
   std::string what;           // description for these captures: "does not belong to the rest"
@@ -34,8 +35,8 @@ bool isSameThing(const TransientEvent& one, const TransientEvent& other);
 /// unknowns.
 std::string describeEvent(const TransientEvent& event, const Eigen::VectorXd& values);
 
-/// Possible displacements of boards, robot, cameras and joint zeros, each at up to 16 moments between captures; and
-/// single bad pictures (the 128 with the largest errors).
+/// Possible displacements of boards, robot, cameras, trackers and joint zeros, each at up to 16 moments between
+/// captures; and single bad pictures (the 128 with the largest errors).
 std::vector<TransientEvent> enumerateEvents(const Measurements& measurements, const CalibrationResult& fit);
 
 /// The same events at all moments between two captures, at most 128 per object.

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <iterator>
 #include <limits>
 #include <map>
@@ -205,6 +206,88 @@ std::optional<DataAnomaly> findMovedFar(const Measurements& measurements, double
 
 } // namespace
 
+namespace {
+
+/// Adds an angle to all readings of a joint [rad].
+void shiftJoint(std::vector<CaptureSet>& sets, const std::string& joint, double shift) {
+  for (CaptureSet& set : sets) {
+    const auto found = std::find(set.jointNames.begin(), set.jointNames.end(), joint);
+    for (Capture& capture : set.captures) {
+      if (found != set.jointNames.end()) {
+        capture.joints.measured[static_cast<std::size_t>(found - set.jointNames.begin())] += shift;
+      }
+    }
+  }
+}
+
+/// One motor turn of a joint, seen at the joint [rad]; 0 if the set does not say.
+double slipStepOf(const std::vector<CaptureSet>& sets, const std::string& joint) {
+  const auto step = sets.front().slipSteps.find(joint);
+  return step == sets.front().slipSteps.end() ? 0 : step->second;
+}
+
+/// Motor turns that a joint's zero is off, according to a first fit.
+long slippedTurns(const std::vector<CaptureSet>& sets, const Robot& robot, const std::string& joint) {
+  const Measurements measurements = buildMeasurements(sets, robot);
+  const Model model = buildModel(measurements);
+  const Term* const offset = model.find(std::string{effectName::jointOffset} + '@' + joint);
+  if (!offset) {
+    return 0;
+  }
+  const Fit fit = fitInitially(measurements, model, Noise{.encoder = 0}, {});
+  return std::lround(fit.minimum.state.unknowns[static_cast<Eigen::Index>(offset->first)] / slipStepOf(sets, joint));
+}
+
+} // namespace
+
+void mendSetUps(std::vector<std::string>& with, const Robot& robot, std::vector<CaptureSet>& sets) {
+  std::vector<std::string> rest;
+  for (const std::string& label : with) {
+    const std::string joint = label.substr(std::min(label.find('@'), label.size() - 1) + 1);
+    const bool isReversed = label.starts_with(reversedJoint), isSlipped = label.starts_with(countSlip);
+    if (!isReversed && !isSlipped) {
+      rest.push_back(label);
+      continue;
+    }
+    const auto& names = sets.front().jointNames;
+    if (std::find(names.begin(), names.end(), joint) == names.end()) {
+      throw InputError{fmt::format("'{}' names no joint of these captures; near it are {}", label,
+                                   fmt::join(closestNames(joint, names), ", "))};
+    }
+    if (isReversed) {
+      sets = mirrorJoint(std::move(sets), joint);
+    } else if (const double step = slipStepOf(sets, joint); step > 0) {
+      shiftJoint(sets, joint, -step * static_cast<double>(slippedTurns(sets, robot, joint)));
+    } else {
+      throw InputError{fmt::format("'{}' needs the motor's turn at the joint: expected slipSteps.{} in the captures, "
+                                   "found none",
+                                   label, joint)};
+    }
+  }
+  with = std::move(rest);
+}
+
+std::vector<DataAnomaly> findSlippedCounts(const FittedModel& fitted) {
+  constexpr double wellLearned = 0.5; // share of the prior's sigma that the captures must have told
+  std::vector<DataAnomaly> result;
+  for (const Term& term : fitted.model.terms()) {
+    const double step = slipStepOf(*fitted.measurements.sets, term.placeName);
+    if (term.effect.name != effectName::jointOffset || !(step > 0)) {
+      continue;
+    }
+    const Estimate& offset = fitted.fit.estimates[term.first];
+    const long turns = std::lround(offset.value / step);
+    if (turns != 0 && offset.learned > wellLearned) {
+      result.push_back(
+          {.why = fmt::format("{}'s zero is off by {:.1f}°, about {} turn{} of its motor ({:.1f}° each): the "
+                              "count slipped",
+                              term.placeName, degrees(offset.value), turns, turns == 1 ? "" : "s", degrees(step)),
+           .setUp = countSlip + term.placeName});
+    }
+  }
+  return result;
+}
+
 GrossMisfit GrossMisfit::assess(const CalibrationResult& fit, const Model& model) {
   double all = 0, far = 0;
   for (const BoardResidual& observation : fit.withReportedAngles) {
@@ -229,20 +312,23 @@ std::optional<DataAnomaly> findSetupError(const Measurements& measurements, cons
   std::optional<DataAnomaly> best;
   double least = std::min({threshold::correctionShare * std::min(misfit.rmsPx, threshold::impossiblePx),
                            threshold::soundPx, misfit.explainedPx});
-  const auto consider = [&](std::vector<CaptureSet> corrected, const std::string& why) {
+  const auto consider = [&](std::vector<CaptureSet> corrected, const std::string& why, const std::string& setUp) {
     if (const auto left = computeMisfit(std::move(corrected), measurements); left && *left < least) {
       least = *left;
-      best = DataAnomaly{{}, fmt::format("{} (so corrected the error is {:.1f} px)", why, *left)};
+      best = DataAnomaly{.why = measurements.cornerCount > 0
+                                    ? fmt::format("{} (so corrected the error is {:.1f} px)", why, *left)
+                                    : why,
+                         .setUp = setUp};
     }
   };
   for (std::size_t joint : measurements.joints) {
     const std::string& name = measurements.robot.joints[joint].name;
     if (misfit.absurd || mayBeMirrored(joint)) {
-      consider(mirrorJoint(sets, name), fmt::format("{}'s angles have the wrong sign", name));
+      consider(mirrorJoint(sets, name), fmt::format("{}'s angles have the wrong sign", name), reversedJoint + name);
     }
   }
-  if (sets.front().cameras.size() == 2) {
-    consider(swapCameras(sets), "the cameras' names are swapped");
+  if (sets.front().cameras.size() == 2 && sets.front().urdf.empty()) {
+    consider(swapCameras(sets), "the cameras' names are swapped", {});
   }
   if (!best && misfit.rmsPx > threshold::impossiblePx) {
     best = findMovedFar(measurements, least);

@@ -8,6 +8,17 @@
 
 namespace naocal {
 
+/// Labels of wrong set-ups that can be mended, up to the joint's name.
+inline constexpr char reversedJoint[] = "reversedJoint@", countSlip[] = "countSlip@";
+
+/// Takes the labels of wrong set-ups out of `with` and mends the sets accordingly: the angles of a reversed joint
+/// change their sign; the zero of a joint whose count slipped is shifted by the whole motor turns (`slipSteps`) that a
+/// first fit finds. Throws InputError for a joint that the sets do not have.
+void mendSetUps(std::vector<std::string>& with, const Robot& robot, std::vector<CaptureSet>& sets);
+
+/// Joints whose fitted offset lies nearer to a whole number of motor turns, not zero, than to zero.
+std::vector<DataAnomaly> findSlippedCounts(const FittedModel& fitted);
+
 /// Size and character of a gross misfit.
 struct GrossMisfit {
   double rmsPx = std::numeric_limits<double>::infinity();       // infinite if no fit was possible

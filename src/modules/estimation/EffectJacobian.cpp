@@ -193,12 +193,15 @@ EffectJacobian::Varying EffectJacobian::correction(const Model& model, const Ima
   }
   const RobotSample& instant = fixed ? picture.instant : *inGeneral;
   const Eigen::VectorXd& drawn = picture.nominal.values;
-  std::vector<double> values(effect.unknowns.size(), 0);
-  for (std::size_t k = 0; k < values.size(); ++k) {
-    const double step = effect.unknowns[k].sigma;
-    values[k] = step;
+  const std::size_t unknowns = effect.unknowns.size();
+  std::vector<double> values(unknowns, 0);
+  // one after the other; then all at once, where together they may correct a quantity that none does alone
+  for (std::size_t k = 0; k < unknowns + (fixed ? 0 : 1); ++k) {
+    const double step = k < unknowns ? effect.unknowns[k].sigma : 1;
+    for (std::size_t i = 0; i < unknowns; ++i) {
+      values[i] = i == k || k == unknowns ? effect.unknowns[i].sigma : 0;
+    }
     effect.correct(modelState, instant, place, values);
-    values[k] = 0;
     for (Eigen::Index i = firstDifference(modelState.values, drawn, 0); i < drawn.size();
          i = firstDifference(modelState.values, drawn, i + 1)) {
       const auto quantity = static_cast<std::size_t>(i);

@@ -47,6 +47,7 @@ struct Residuals::Workspace {
     instant.q.swap(driven.instant.q);
     instant.torque.swap(driven.instant.torque);
     instant.torqueGrowth.swap(driven.instant.torqueGrowth);
+    instant.lateralTorque.swap(driven.instant.lateralTorque);
     instant.com = driven.instant.com;
     driven.instant = std::move(instant);
   }

@@ -21,6 +21,12 @@ Eigen::Matrix3d rotationZ(double angle) {
   return Eigen::Matrix3d{{c, -s, 0}, {s, c, 0}, {0, 0, 1}};
 }
 
+Eigen::Vector3d turnsAboutXyz(const Eigen::Matrix3d& rotation) {
+  return {std::atan2(-rotation(1, 2), rotation(2, 2)),
+          std::atan2(rotation(0, 2), std::hypot(rotation(0, 0), rotation(0, 1))),
+          std::atan2(-rotation(0, 1), rotation(0, 0))};
+}
+
 Eigen::Matrix3d crossMatrix(const Eigen::Vector3d& v) {
   return (Eigen::Matrix3d{} << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0).finished();
 }

@@ -23,6 +23,9 @@ Eigen::Matrix3d rotationX(double angle);
 Eigen::Matrix3d rotationY(double angle);
 Eigen::Matrix3d rotationZ(double angle);
 
+/// The angles x, y, z [rad] with rotation = rotationX(x) * rotationY(y) * rotationZ(z); y within a quarter turn.
+Eigen::Vector3d turnsAboutXyz(const Eigen::Matrix3d& rotation);
+
 /// exp([v]x): the rotation about `rotationVector` by its length [rad] (Rodrigues).
 Eigen::Matrix3d rotationAbout(const Eigen::Vector3d& rotationVector);
 

@@ -52,10 +52,16 @@ void compareSets(const CompareCommand& command) {
   if (command.json == "-") {
     return;
   }
-  printText(
-      "{} corners: prediction error {:.2f} px rms (median {:.2f} px); with the robot's drawing alone {:.2f} px rms"
-      "\n\n",
-      comparison.all.corners, comparison.all.rmsPx, comparison.all.medianPx, comparison.nominal.rmsPx);
+  if (comparison.all.corners > 0) {
+    printText(
+        "{} corners: prediction error {:.2f} px rms (median {:.2f} px); with the robot's drawing alone {:.2f} px rms"
+        "\n\n",
+        comparison.all.corners, comparison.all.rmsPx, comparison.all.medianPx, comparison.nominal.rmsPx);
+  }
+  if (!comparison.readings.empty()) {
+    printText("prediction error {}; with the robot's drawing alone {}\n\n", formatSizes(comparison.readings),
+              formatSizes(comparison.nominalReadings));
+  }
   for (const auto& [title, groups] :
        {std::pair{"board", &comparison.byBoard}, std::pair{"camera", &comparison.byCamera}}) {
     for (const auto& [name, distances] : *groups) {

@@ -2,17 +2,21 @@
 #include "console/CommandLine.hpp"
 #include "console/OutputFiles.hpp"
 #include "console/PrintDiagnosis.hpp"
+#include "console/PrintText.hpp"
 #include "console/Progress.hpp"
 
 #include "command-line/OptionChecks.hpp"
 #include "diagnosis/DiagnosisFile.hpp"
+#include "diagnosis/FoldErrors.hpp"
 #include "diagnosis/OwnEffect.hpp"
+#include "diagnosis/SetUps.hpp"
 #include "estimation/ModelFile.hpp"
 #include "io/InputError.hpp"
 #include "poses/PoseFile.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <fmt/format.h>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -27,7 +31,27 @@ struct DiagnoseCommand {
   bool skipBad = false, samePlace = false, full = false;
   DiagnosisOptions options;
   NextPosesOptions next;
+  std::size_t folds = 0; // 0: no cross-validation
 };
+
+/// Errors on poses that were not fitted, printed and as JSON.
+nlohmann::json validate(const DiagnoseCommand& command, const Measurements& measurements, const Diagnosis& diagnosis) {
+  std::vector<std::string> suggested = diagnosis.suggested;
+  if (diagnosis.own) {
+    suggested.pop_back();
+  }
+  const FoldErrors errors = crossValidate(*measurements.sets, measurements.robot, command.folds, command.options.with,
+                                          command.options.without, suggested, command.options.effects);
+  if (command.json != "-") {
+    const auto size = [](const PredictionErrors& error) {
+      return error.pixels.empty() ? formatSizes(summarizeReadings(error.readings))
+                                  : fmt::format("{:.2f} px", summarizeLengths(error.pixels).rms);
+    };
+    printText("on poses that were not fitted ({} folds): {}; with what is suggested {}\n", errors.folds,
+              size(errors.given), size(errors.suggested));
+  }
+  return toJson(errors);
+}
 
 /// Adds a model file's terms and effects to what the command line gave.
 void readModel(DiagnoseCommand& command, const Robot& robot) {
@@ -98,16 +122,22 @@ Diagnosis withProgress(const Measurements& measurements, DiagnosisOptions option
 
 int diagnose(DiagnoseCommand& command) {
   LoadedSets given = loadSets(command.sets, command.skipBad);
+  mendSetUps(command.options.with, given.robot, given.sets);
   const Measurements measurements = buildMeasurements(std::move(given.sets), given.robot, command.samePlace);
   const GivenOptions asIs{command.sets,  command.options.with, command.options.without,
                           command.model, command.samePlace,    command.skipBad};
   readModel(command, measurements.robot);
   const Diagnosis diagnosis = withProgress(measurements, command.options);
   const NextPoses next = asked(command, measurements, diagnosis);
+  const nlohmann::json validated =
+      command.folds > 0 ? validate(command, measurements, diagnosis) : nlohmann::json(nullptr);
   if (!command.json.empty()) {
     nlohmann::json json = diagnosisJson(diagnosis, command.full ? allOfThem : drawable);
     json["next"] = isNao(measurements) ? nextPosesJson(next, given.robot)
                                        : nlohmann::json{{"poses", nlohmann::json::array()}, {"why", next.whyNone}};
+    if (command.folds > 0) {
+      json["crossValidated"] = validated;
+    }
     json["inputs"] = toJson(given.inputs.placedBeside(command.json));
     writeJson(json, command.json);
   }
@@ -174,6 +204,13 @@ void addDiagnose(CLI::App& app, int& exitCode) {
       ->group(expertOptions)
       ->check(wholeNumber(19, 100000))
       ->capture_default_str();
+  diagnoser
+      ->add_option("--folds", command->folds,
+                   "cross-validate: predict each of K parts of the poses from a fit of the others (5 if no K is given)")
+      ->type_name("[K]")
+      ->expected(0, 1)
+      ->default_str("5")
+      ->check(wholeNumber(2, 1000));
   diagnoser->add_flag("--same-place", command->samePlace,
                       "boards and stances with the same id have the same placement in all sets");
   diagnoser->add_flag("--skip-bad", command->skipBad,

@@ -6,6 +6,7 @@
 
 #include "calibration/Calibration.hpp"
 #include "command-line/OptionChecks.hpp"
+#include "diagnosis/SetUps.hpp"
 #include "dialects/ModelCalibration.hpp"
 #include "estimation/ModelBuilder.hpp"
 #include "estimation/ModelFile.hpp"
@@ -55,6 +56,7 @@ int solve(SolveCommand& command) {
   command.options.estimateNoise = !command.fixedNoise;
   command.options.robust = !command.plain;
   LoadedSets given = loadSets(command.sets, command.skipBad);
+  mendSetUps(command.with, given.robot, given.sets);
   const Measurements measurements = buildMeasurements(std::move(given.sets), given.robot, command.samePlace);
   const Model model = askedModel(command, measurements);
   if (!command.start.empty()) {

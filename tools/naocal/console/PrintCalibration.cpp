@@ -38,20 +38,47 @@ void printEstimates(const Model& model, const CalibrationResult& result) {
   }
 }
 
+/// Errors and noise of measurements other than corners.
+void printReadings(const FittedModel& fitted) {
+  const Measurements& measurements = fitted.measurements;
+  if (fitted.fit.readings.empty()) {
+    return;
+  }
+  printText("error of {} readings: {} rms\n", measurements.witnessCount, formatSizes(fitted.fit.readings));
+  for (std::size_t i = 0; i < measurements.levels.size(); ++i) {
+    const ReadingLevel& level = measurements.levels[i];
+    const double sigma = sigmaOf(measurements, fitted.fit.noise, i);
+    const bool isLength = level.unit == ReadingLevel::Unit::metres;
+    printText("noise of {} per axis, 1 sigma: {:.3g} {} ({})\n", level.name, isLength ? 1e3 * sigma : degrees(sigma),
+              isLength ? "mm" : "°", level.isGiven ? "given" : "estimated");
+  }
+}
+
+void printCorners(const FittedModel& fitted) {
+  printText("prediction error {:.2f} px rms (median {:.2f} px); ", fitted.fit.rmsPx, fitted.fit.medianPx);
+}
+
 } // namespace
 
 void printCalibration(const FittedModel& fitted) {
-  printText("{}: {} corners in {} pictures of {} poses, {} unknowns; {} after {} iterations in {:.1f} ms\n",
-            fitted.measurements.robot.model, fitted.measurements.cornerCount, fitted.measurements.pictures.size(),
-            fitted.measurements.poses.size(), fitted.model.unknownCount(),
+  const bool hasCorners = fitted.measurements.cornerCount > 0;
+  const std::string what = hasCorners ? fmt::format("{} corners in {} pictures", fitted.measurements.cornerCount,
+                                                    fitted.measurements.pictures.size())
+                                      : fmt::format("{} readings", fitted.measurements.witnessCount);
+  printText("{}: {} of {} poses, {} unknowns; {} after {} iterations in {:.1f} ms\n", fitted.measurements.robot.model,
+            what, fitted.measurements.poses.size(), fitted.model.unknownCount(),
             fitted.fit.converged ? "converged" : "NOT converged", fitted.fit.iterations, 1e3 * fitted.fit.seconds);
+  if (hasCorners) {
+    printCorners(fitted);
+  }
+  printText("chi2/dof {:.3f}, p {:.2g}\n", fitted.fit.chi2 / std::max(1.0, fitted.fit.dof), fitted.fit.pValue);
+  printReadings(fitted);
   printText(
-      "prediction error {:.2f} px rms (median {:.2f} px); chi2/dof {:.3f}, p {:.2g}\n"
-      "noise, 1 sigma ({}): corners {:.3f} px anew in each picture and {:.3f} px alike in all pictures of a rest, "
-      "encoders {:.4f}°, joint scatter {:.4f}° from pose to pose{}\n",
-      fitted.fit.rmsPx, fitted.fit.medianPx, fitted.fit.chi2 / std::max(1.0, fitted.fit.dof), fitted.fit.pValue,
-      fitted.fit.noiseSource, fitted.fit.noise.pixel, fitted.fit.noise.pixelAlike, degrees(fitted.fit.noise.encoder),
-      degrees(fitted.fit.noise.pose),
+      "noise, 1 sigma ({}): {}encoders {:.4f}°, joint scatter {:.4f}° from pose to pose{}\n", fitted.fit.noiseSource,
+      hasCorners ? fmt::format("corners {:.3f} px anew in each picture and {:.3f} px alike in all pictures of a rest, ",
+                               fitted.fit.noise.pixel, fitted.fit.noise.pixelAlike)
+                 : "",
+      degrees(fitted.fit.noise.encoder), degrees(fitted.fit.noise.pose),
       fitted.fit.noise.stance > 0 ? fmt::format(" and {:.4f}° from stance to stance", degrees(fitted.fit.noise.stance))
                                   : "");
   if (fitted.fit.floorErrorAt2m > 0) {

@@ -37,12 +37,13 @@ void printLadder(const Diagnosis& diagnosis) {
     most = std::max(most, error(step));
   }
   for (const SelectionStep& step : diagnosis.steps) {
-    printText("  {:32} {} {:6.3f} px{}\n", step.added.empty() ? "base model" : "+ " + step.added,
-              bar(error(step), most, 30), error(step),
+    printText("  {:32} {} {:6.3f} {}{}\n", step.added.empty() ? "base model" : "+ " + step.added,
+              bar(error(step), most, 30), diagnosis.unit.perPx * error(step), diagnosis.unit.name,
               step.dropped.empty() ? "" : fmt::format("   no longer needed: {}", fmt::join(step.dropped, ", ")));
   }
   const double floor = diagnosis.steps.back().noiseFloorPx;
-  printText("  {:32} {} {:6.3f} px\n", "noise floor", bar(floor, most, 30), floor);
+  printText("  {:32} {} {:6.3f} {}\n", "noise floor", bar(floor, most, 30), diagnosis.unit.perPx * floor,
+            diagnosis.unit.name);
 }
 
 void printCurves(const Diagnosis& diagnosis) {

@@ -114,13 +114,13 @@ FieldFit solveField(const FieldEquations& equations, double plausible) {
   result.freedom = freedom;
   const double noise = std::max((errors.sum - explained) / remaining, leastNoise * leastNoise);
   for (Eigen::Index i = 0; i < count; ++i) {
-    const double told = ways.values[i] / noise;
+    const double inNoise = ways.values[i] / noise;
     if (ways.values[i] > leastTold) {
-      const double prior = told * plausible * plausible, kept = prior / (1 + prior);
+      const double prior = inNoise * plausible * plausible, kept = prior / (1 + prior);
       const double found = along[i] / ways.values[i];
       result.estimate += kept * found * ways.vectors.col(i);
-      result.covariance += kept / told * ways.vectors.col(i) * ways.vectors.col(i).transpose();
-      result.bayes += kept * told * found * found - std::log1p(prior);
+      result.covariance += kept / inNoise * ways.vectors.col(i) * ways.vectors.col(i).transpose();
+      result.bayes += kept * inNoise * found * found - std::log1p(prior);
     }
   }
   result.rmsPx = std::sqrt(std::max(0.0, explained - freedom * noise) / (2 * errors.corners));

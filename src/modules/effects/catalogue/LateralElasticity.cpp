@@ -1,8 +1,6 @@
 #include "effects/Catalogue.hpp"
 #include "math/RigidTransform.hpp"
 
-#include <cmath>
-
 namespace naocal {
 
 /// The bearing gives way about the two normals of the joint's axis, before the joint's own turn. 0.01 rad/Nm: as
@@ -21,12 +19,9 @@ Effect lateralElasticity() {
             const auto at = static_cast<Eigen::Index>(joint);
             const auto [n1, n2] = bearingNormals(modelState.axis(joint));
             auto step = modelState.linkStep(joint);
-            const Eigen::Matrix3d turn = rotationX(step[3]) * rotationY(step[4]) * rotationZ(step[5]) *
-                                         rotationAbout(values[0] * instant.lateralTorque(0, at) * n1) *
-                                         rotationAbout(values[1] * instant.lateralTorque(1, at) * n2);
-            step[3] = std::atan2(-turn(1, 2), turn(2, 2)); // Rx * Ry * Rz
-            step[4] = std::atan2(turn(0, 2), std::hypot(turn(0, 0), turn(0, 1)));
-            step[5] = std::atan2(-turn(0, 1), turn(0, 0));
+            step.tail<3>() = turnsAboutXyz(rotationX(step[3]) * rotationY(step[4]) * rotationZ(step[5]) *
+                                           rotationAbout(values[0] * instant.lateralTorque(0, at) * n1) *
+                                           rotationAbout(values[1] * instant.lateralTorque(1, at) * n2));
           }};
 }
 
