@@ -191,10 +191,10 @@ void addSizes(Sentences& all) {
 
 void addEffects(Sentences& all) {
   all.heading("effects, and their unknowns at a place");
-  const std::map<PlaceKind, std::string> places{{PlaceKind::motor, "LKneePitch"}, {PlaceKind::joint, "HeadYaw"},
-                                                {PlaceKind::camera, "top"},       {PlaceKind::board, "A"},
-                                                {PlaceKind::sole, "left"},        {PlaceKind::length, "thigh"},
-                                                {PlaceKind::all, "all"},          {PlaceKind::stance, "0"}};
+  const std::map<PlaceKind, std::string> places{
+      {PlaceKind::motor, "LKneePitch"}, {PlaceKind::joint, "HeadYaw"}, {PlaceKind::camera, "top"},
+      {PlaceKind::board, "A"},          {PlaceKind::sole, "left"},     {PlaceKind::length, "thigh"},
+      {PlaceKind::all, "all"},          {PlaceKind::stance, "0"},      {PlaceKind::tracker, "vicon"}};
   for (const Effect& effect : allEffects()) {
     all.add(effect.name, effect.description);
     for (std::size_t i = 0; i < effect.unknowns.size(); ++i) {

@@ -179,12 +179,14 @@ json placementsJson(const FittedModel& fitted) {
 StoredPlacements parsePlacements(const json& placements) {
   StoredPlacements result;
   const auto read = [&](const char* key, std::map<std::string, Placement>& list) {
-    for (const auto& [name, placement] : placements.value(key, json::object()).items()) {
+    const json entries = placements.value(key, json::object());
+    for (const auto& [name, placement] : entries.items()) {
       list[name] = placementFrom(placement);
     }
   };
   const auto readPoints = [&](const char* key, std::map<std::string, Eigen::Vector3d>& list) {
-    for (const auto& [name, point] : placements.value(key, json::object()).items()) {
+    const json entries = placements.value(key, json::object());
+    for (const auto& [name, point] : entries.items()) {
       list[name] = {point.at(0).get<double>(), point.at(1).get<double>(), point.at(2).get<double>()};
     }
   };

@@ -118,8 +118,8 @@ void checkOffsets(const Measurements& measurements, const Model& model, Calibrat
     const Estimate& estimate = result.estimates[term.first];
     if (const auto imitator = isHeld(measurements, model, result, term) ? findImitator(model, result, term) : nullptr) {
       warn(About::offset,
-           fmt::format("{} cannot be told from {} ({}) and is held at zero (±{:.1f}°)", describeUnknown(term, 0),
-                       imitator->effect.name, imitator->placeName, degrees(estimate.sigma)),
+           fmt::format("{} cannot be told from {} and is held at zero (±{:.1f}°)", describeUnknown(term, 0),
+                       describePlacement(*imitator), degrees(estimate.sigma)),
            result);
       continue;
     }

@@ -71,10 +71,34 @@ std::string describeUnknown(const Term& term, std::size_t unknown) {
     return fmt::format("the {} sole's {}{}", term.placeName, splitCamelCase(term.effect.name.substr(says ? 4 : 0)),
                        which);
   }
+  if (term.effect.placeKind == PlaceKind::tracker) { // trackerScale
+    const bool says = term.effect.name.starts_with("tracker");
+    return fmt::format("tracker {}'s {}{}", term.placeName, splitCamelCase(term.effect.name.substr(says ? 7 : 0)),
+                       which);
+  }
   if (term.effect.placeKind == PlaceKind::all) {
     return fmt::format("the {}{}", splitCamelCase(term.effect.name), which);
   }
   return fmt::format("{}'s {}{}", joint(term.placeName), splitCamelCase(term.effect.name), which);
+}
+
+std::string describePlacement(const Term& term) {
+  switch (term.effect.placeKind) {
+  case PlaceKind::board:
+    return fmt::format("where board {} is", term.placeName);
+  case PlaceKind::camera:
+    return fmt::format("where camera {} stands", term.placeName);
+  case PlaceKind::tracker:
+    return fmt::format("where tracker {} stands", term.placeName);
+  case PlaceKind::marker:
+    return fmt::format("where marker {} sits", term.placeName);
+  case PlaceKind::frame:
+    return fmt::format("how frame {} is mounted", term.placeName);
+  case PlaceKind::place:
+    return fmt::format("where the places ({} and others) are", term.placeName);
+  default:
+    return fmt::format("where the robot stands in stance {}", term.placeName);
+  }
 }
 
 std::string joinWords(const std::vector<std::string>& words) {

@@ -286,6 +286,11 @@ std::vector<std::optional<EventFit>> fitEvents(const std::vector<TransientEvent>
   return result;
 }
 
+bool isMoveAnyhow(const TransientEvent& event) {
+  constexpr std::size_t degreesOfFreedom = 6;
+  return event.from && event.term.effect.unknowns.size() == degreesOfFreedom;
+}
+
 bool isSameThing(const TransientEvent& one, const TransientEvent& other) {
   if (!one.from || !other.from) {
     return !one.from && !other.from && one.who == other.who && one.where == other.where;
@@ -300,7 +305,7 @@ std::string describeEvent(const TransientEvent& event, const Eigen::VectorXd& va
   }
   const PlaceKind place = event.term.effect.placeKind;
   const std::string how =
-      values.size() == 6           ? fmt::format("{} moved by {:.3g} mm and {:.2g}°", event.who,
+      isMoveAnyhow(event)          ? fmt::format("{} moved by {:.3g} mm and {:.2g}°", event.who,
                                                  millimetres * values.head<3>().norm(), degrees(values.tail<3>().norm()))
       : place == PlaceKind::motor  ? fmt::format("{}'s zero changed by {:+.2f}°", event.who, degrees(values[0]))
       : place == PlaceKind::camera ? fmt::format("{} turned by {:.2f}°", event.who, degrees(values.norm()))

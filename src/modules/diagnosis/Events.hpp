@@ -28,6 +28,10 @@ struct TransientEvent {
   double prior = 0;           // of its moment against others: 2 ln of the gap's relative length
 };
 
+/// Whether it is the displacement of something that stands anyhow: a board in the world, a camera beside the robot, a
+/// tracker.
+bool isMoveAnyhow(const TransientEvent& event);
+
 /// Whether both concern the same object, at any moments of a set, or the same captures.
 bool isSameThing(const TransientEvent& one, const TransientEvent& other);
 

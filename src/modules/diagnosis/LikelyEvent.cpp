@@ -225,6 +225,16 @@ std::optional<CalibrationResult> calibrateWithAllCorners(const FittedModel& fitt
   }
 }
 
+/// Evidence per capture that makes a displacement of a camera, tracker or board a knock: 3 sigma in each.
+constexpr double noticed = 9;
+
+std::size_t capturesAfter(const TransientEvent& event, const FittedModel& fitted) {
+  const auto& pictures = fitted.measurements.pictures;
+  return static_cast<std::size_t>(std::count_if(pictures.begin(), pictures.end(), [&](const ImageObservation& picture) {
+    return picture.set == event.set && picture.instant.time.count() > event.from->time;
+  }));
+}
+
 std::optional<LikelyEvent> findLikeliestAt(const FittedModel& fitted, const CandidateTests& candidateTests) {
   std::vector<TransientEvent> events = enumerateEvents(fitted.measurements, fitted.fit);
   const std::vector<TransientEvent> angles = enumerateWrongAngles(fitted.measurements, fitted.fit);
@@ -249,6 +259,9 @@ std::optional<LikelyEvent> findLikeliestAt(const FittedModel& fitted, const Cand
     return std::nullopt;
   }
   const Tried& best = tried.front();
+  if (isMoveAnyhow(best.event) && best.bayes < noticed * static_cast<double>(capturesAfter(best.event, fitted))) {
+    return std::nullopt; // rather a sum of small effects that varies with time
+  }
   const TransientEvent event = best.event.from ? widenEvent(best.event, fine) : best.event;
   constexpr double mostOdds = 1e12;
   return LikelyEvent{event, std::min(mostOdds, std::exp((best.bayes - rivals.best()) / 2)),
