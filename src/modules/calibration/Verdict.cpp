@@ -112,15 +112,16 @@ void warn(About about, std::string sentence, CalibrationResult& result) {
 }
 
 /// Warns of offsets that the captures do not determine; such a result is unusable, unless an unknown placement does
-/// what the offset would do: that one is held at zero.
-void checkOffsets(const Measurements& measurements, const Model& model, CalibrationResult& result) {
+/// what the offset would do: that one is held at zero. Returns the warnings
+/// of these.
+std::vector<Warning> checkOffsets(const Measurements& measurements, const Model& model, CalibrationResult& result) {
+  std::vector<Warning> held;
   for (const Term& term : model.terms()) {
     const Estimate& estimate = result.estimates[term.first];
     if (const auto imitator = isHeld(measurements, model, result, term) ? findImitator(model, result, term) : nullptr) {
-      warn(About::offset,
-           fmt::format("{} cannot be told from {} and is held at zero (±{:.1f}°)", describeUnknown(term, 0),
-                       describePlacement(*imitator), degrees(estimate.sigma)),
-           result);
+      held.push_back({About::offset,
+                      fmt::format("{} cannot be told from {} and is held at zero (±{:.1f}°)", describeUnknown(term, 0),
+                                  describePlacement(*imitator), degrees(estimate.sigma))});
       continue;
     }
     if (term.effect.name == effectName::jointOffset && term.requested && estimate.learned < 0.5) {
@@ -133,6 +134,7 @@ void checkOffsets(const Measurements& measurements, const Model& model, Calibrat
            result);
     }
   }
+  return held;
 }
 
 /// Warns of a large floor error; such a result is unusable.
@@ -202,7 +204,7 @@ void judgeResult(const Measurements& measurements, const Model& model, Calibrati
     warn(About::fit, "the search did not converge: try --restarts 20, and check the robot's model and the boards",
          result);
   }
-  checkOffsets(measurements, model, result);
+  const std::vector<Warning> held = checkOffsets(measurements, model, result);
   checkFloorError(result);
   const bool missing = result.pValue <= threshold::alarm && result.matters;
   const DisplacedBoardCount displaced{measurements, result.outliers};
@@ -213,6 +215,7 @@ void judgeResult(const Measurements& measurements, const Model& model, Calibrati
                                  : ResultVerdict::doNotUse;
   result.usable = result.verdict != ResultVerdict::doNotUse;
   result.sentence = formatVerdict(result, displaced, formatCause(result, missing), firm);
+  result.warnings.insert(result.warnings.end(), held.begin(), held.end());
   warnOfOutliers(result);
 }
 

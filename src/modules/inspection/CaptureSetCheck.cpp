@@ -226,8 +226,9 @@ void addCornersOutside(Check& check) {
 
 void addUnseenBoards(Check& check) {
   const CaptureSet& set = check.set();
-  const auto pending =
-      std::count_if(set.captures.begin(), set.captures.end(), [](const Capture& capture) { return !capture.corners; });
+  const auto pending = std::count_if(set.captures.begin(), set.captures.end(), [](const Capture& capture) {
+    return !capture.camera.empty() && !capture.corners;
+  });
   if (pending > 0) {
     check.add(Severity::doubtful, "no-corners", "captures",
               fmt::format("{} of {} captures have no corners yet; run 'naocal detect {}'", pending, set.captures.size(),
@@ -236,7 +237,7 @@ void addUnseenBoards(Check& check) {
   }
   std::map<std::string, std::size_t> seen;
   for (const Capture& capture : set.captures) {
-    for (const BoardCorners& corners : *capture.corners) {
+    for (const BoardCorners& corners : capture.corners.value_or(std::vector<BoardCorners>{})) {
       seen[corners.board] += corners.ids.empty() ? 0 : 1;
     }
   }
@@ -277,7 +278,7 @@ void addCounts(Check& check, std::size_t poses) {
 /// What a calibration refuses in a set that can be read; corners that are not detected yet are reported elsewhere.
 void addCalibrationRefusal(Check& check, const Robot& robot) {
   CaptureSet ready = check.set();
-  std::erase_if(ready.captures, [&](const Capture& capture) { return !capture.corners; });
+  std::erase_if(ready.captures, [&](const Capture& capture) { return !capture.camera.empty() && !capture.corners; });
   if (ready.captures.empty()) {
     return;
   }
@@ -296,7 +297,9 @@ std::string_view toString(Severity severity) {
 
 CaptureSetCheck checkCaptureSet(const std::filesystem::path& folder, const CheckProgress& progress) {
   const std::string file = (folder / "captures.json").string();
-  Check check{folder, file, surveyCaptureSet(readFile(file), file)};
+  SurveyedCaptureSet survey = surveyCaptureSet(readFile(file), file);
+  survey.set.folder = folder;
+  Check check{folder, file, std::move(survey)};
   const nlohmann::json& document = *check.set().source;
   CaptureSetCheck result;
   if (document.contains("captures") && document["captures"].is_array()) {
