@@ -80,12 +80,10 @@ TEST_CASE("a corrected URDF has the link geometry in its origins") {
   const Robot& robot = corrected;
   const std::size_t link = robot.joints[*robot.jointIndex("roll")].link, parent = *robot.links[link].parent;
   const auto before = poses(old, zero), after = poses(corrected, zero);
-  const Eigen::Isometry3d expected = before[parent].inverse() * before[link] *
-                                     Eigen::Translation3d{correction.translation} *
-                                     Eigen::AngleAxisd{0.01, Eigen::Vector3d::UnitX()} *
-                                     Eigen::AngleAxisd{0.02, Eigen::Vector3d::UnitY()} *
-                                     Eigen::AngleAxisd{-0.03, Eigen::Vector3d::UnitZ()} *
-                                     Eigen::AngleAxisd{-0.1, Eigen::Vector3d::UnitX()};
+  const Eigen::Isometry3d expected =
+      before[parent].inverse() * before[link] * Eigen::Translation3d{correction.translation} *
+      Eigen::AngleAxisd{0.01, Eigen::Vector3d::UnitX()} * Eigen::AngleAxisd{0.02, Eigen::Vector3d::UnitY()} *
+      Eigen::AngleAxisd{-0.03, Eigen::Vector3d::UnitZ()} * Eigen::AngleAxisd{-0.1, Eigen::Vector3d::UnitX()};
   CHECK(((after[parent].inverse() * after[link]).matrix() - expected.matrix()).cwiseAbs().maxCoeff() < 1e-12);
 }
 

@@ -1,4 +1,5 @@
 #include "data/CaptureSetFile.hpp"
+#include "data/GoodRobotSet.hpp"
 #include "data/GoodSet.hpp"
 #include "diagnosis/Session.hpp"
 #include "dialects/Dialects.hpp"
@@ -46,6 +47,7 @@ void writeCaptureSets(CaptureSet set) {
   set.captures.resize(2);
   writeSeed("capture-set", "simulated", formatCaptureSet(set));
   writeSeed("capture-set", "every-feature", goodSet().dump());
+  writeSeed("capture-set", "any-robot", goodRobotSet().dump());
 }
 
 /// Result, session and calibrations of a set.
@@ -173,8 +175,9 @@ void writePictures() {
 
 void writeRecordings() {
   writeSeed("urdf", "arm", testing::armUrdf);
-  writeSeed("table", "tracked", "t,q1,q2,q3,pose,hand_x_mm,hand_y_mm,hand_z_mm\n10,90,0,0.1,A,1000,0,500\n"
-                                "11,45,,0.2,\"B, again\",,,\n");
+  writeSeed("table", "tracked",
+            "t,q1,q2,q3,pose,hand_x_mm,hand_y_mm,hand_z_mm\n10,90,0,0.1,A,1000,0,500\n"
+            "11,45,,0.2,\"B, again\",,,\n");
   writeSeed("table", "frames", "q1;q2;q3;x;y;z;qw;qx;qy;qz\n0,1;0;0,1;1;0;0,5;1;0;0;0\n");
   for (const std::string compression : {"none", "zstd", "lz4"}) {
     testing::McapWriter writer{compression};

@@ -95,7 +95,8 @@ TEST_CASE("a lens is the same from OpenCV's, ROS's, kalibr's and mrcal's files")
     const double k3 = text == kalibr ? 0 : 0.03; // kalibr has none
     CHECK(lens.distortion == std::array<double, 5>{0.1, -0.2, 0.001, 0.002, k3});
   }
-  const CameraIntrinsics pinhole = read(with(with(mrcal, "OPENCV5", "PINHOLE"), ", 0.1, -0.2, 0.001, 0.002, 0.03,", ""));
+  const CameraIntrinsics pinhole =
+      read(with(with(mrcal, "OPENCV5", "PINHOLE"), ", 0.1, -0.2, 0.001, 0.002, 0.03,", ""));
   CHECK(pinhole.distortion == std::array<double, 5>{});
   CHECK(read(with(with(mrcal, "OPENCV5", "OPENCV8"), "0.03,", "0.03, 0, 0, 0")).distortion[4] == 0.03);
 }

@@ -71,10 +71,11 @@ TEST_CASE("a column map is read as it was written") {
   CHECK(map.joints.at("shoulder_pan").sign == -1);
   CHECK(map.points.at(0).link == "flange");
   CHECK(columnMapJson(map) == columnMapJson(parseColumnMap(columnMapJson(map), "c.json", robot)));
-  const ColumnMap contract = parseColumnMap(
-      nlohmann::json::parse(R"({"joints": {"shoulder_pan": {"column": "q1", "unit": "deg"}}, "image": "file", "time": "t",
+  const ColumnMap contract =
+      parseColumnMap(nlohmann::json::parse(
+                         R"({"joints": {"shoulder_pan": {"column": "q1", "unit": "deg"}}, "image": "file", "time": "t",
         "points": [{"marker": "hand", "tracker": "vicon", "columns": ["x", "y", "z"], "unit": "mm"}]})"),
-      "c.json", robot);
+                     "c.json", robot);
   CHECK(contract.time == "t");
   CHECK(contract.timeUnit == "s");
 }
@@ -94,8 +95,10 @@ TEST_CASE("a column map with a mistake is refused with its place") {
       {R"({"joints": {"slide": {"unit": "mm"}}})", "column"},
       {R"({"joints": {}, "points": [{"marker": "h", "columns": ["x", "y"]}]})", "3 columns: x, y, z"},
       {R"({"joints": {}, "points": [{"marker": "h", "columns": ["x", "y", "z"], "unit": "inch"}]})", "m, cm or mm"},
-      {R"({"joints": {}, "points": [{"marker": "h", "columns": ["x", "y", "z"], "link": "hand"}]})", "a link of the URDF"},
-      {R"({"joints": {}, "frames": [{"frame": "h", "columns": ["x", "y", "z"], "quaternion": ["w"]}]})", "4 columns: w, x, y, z"},
+      {R"({"joints": {}, "points": [{"marker": "h", "columns": ["x", "y", "z"], "link": "hand"}]})",
+       "a link of the URDF"},
+      {R"({"joints": {}, "frames": [{"frame": "h", "columns": ["x", "y", "z"], "quaternion": ["w"]}]})",
+       "4 columns: w, x, y, z"},
       {R"({"joints": {}, "time": {"column": "t", "unit": "h"}})", "s, ms, us or ns"},
       {R"({"joints": {"slide": "q1"}, "temperature": {"shoulder_pan": "T"}})", "a joint that has a column"},
       {R"({"joints": {"slide": "q1"}, "pictures": "file"})", "the key pictures"},

@@ -14,9 +14,14 @@ TEST_CASE("a table is read as spreadsheets, scripts and numpy write it") {
     double second; // number in row 0, column "b c"
   };
   const std::vector<Case> all{
-      {"a,b c\n1,2.5\n3,4\n", 2.5},        {"\xef\xbb\xbf" "a,b c\r\n1,2.5\r\n3,4", 2.5},
-      {"a;b c\n1;2,5\n3;4\n", 2.5},        {"a\tb c\n1\t-2.5e-3\n3\t4\n", -2.5e-3},
-      {"\"a\",\"b c\"\n\"1\",\" +2.5 \"\n3,4\n", 2.5}, {"# a,b c\n1,2.5\n3,4\n", 2.5},
+      {"a,b c\n1,2.5\n3,4\n", 2.5},
+      {"\xef\xbb\xbf"
+       "a,b c\r\n1,2.5\r\n3,4",
+       2.5},
+      {"a;b c\n1;2,5\n3;4\n", 2.5},
+      {"a\tb c\n1\t-2.5e-3\n3\t4\n", -2.5e-3},
+      {"\"a\",\"b c\"\n\"1\",\" +2.5 \"\n3,4\n", 2.5},
+      {"# a,b c\n1,2.5\n3,4\n", 2.5},
   };
   for (const Case& each : all) {
     CAPTURE(each.text);
@@ -48,7 +53,8 @@ TEST_CASE("a table that is none is refused with row, expected and found") {
   };
   for (const Broken& broken : all) {
     CAPTURE(broken.text);
-    CHECK_THROWS_WITH((CsvTable{broken.text, "log.csv"}), Catch::StartsWith("log.csv") && Catch::Contains(broken.sentence));
+    CHECK_THROWS_WITH((CsvTable{broken.text, "log.csv"}),
+                      Catch::StartsWith("log.csv") && Catch::Contains(broken.sentence));
   }
   const CsvTable table{"shoulder,elbow\n1,two\n1e400,0x10\n", "log.csv"};
   CHECK_THROWS_WITH(table.number(0, 1), "log.csv, row 2, column \"elbow\": expected a number, found \"two\"");

@@ -28,7 +28,8 @@ std::string ride(const std::string& imageEncoding = "mono8", const std::string& 
     const double time = 100 + i * 0.01, phase = std::fmod(i * 0.01, 3.0);
     const auto stop = static_cast<std::size_t>(i / 300);
     const double pan = stops[stop] + (stops[stop + 1] - stops[stop]) * std::max(0.0, phase - 2);
-    writer.addMessage(joints, time, jointStateMessage(time, {"shoulder_lift", "shoulder_pan", "unknown"}, {0.5, pan, 7}));
+    writer.addMessage(joints, time,
+                      jointStateMessage(time, {"shoulder_lift", "shoulder_pan", "unknown"}, {0.5, pan, 7}));
     if (i % 50 == 0) {
       std::vector<std::uint8_t> pixels(640 * 480, 9);
       pixels[0] = static_cast<std::uint8_t>(i / 50);
@@ -80,8 +81,9 @@ TEST_CASE("a recording without what is asked for is refused, and says what it ho
   CHECK_THROWS_WITH(import(ride(), folder, {"/joints", "", ""}),
                     Catch::Contains("--joints") && Catch::Contains("/joint_states (sensor_msgs/msg/JointState)"));
   CHECK_THROWS_WITH(import(ride(), folder, {"/joint_states", "/eye", ""}), Catch::Contains("--images"));
-  CHECK_THROWS_WITH(import(ride(), folder, {"/wrist/image_raw", "", ""}),
-                    Catch::Contains("expected messages of the type sensor_msgs/msg/JointState, found sensor_msgs/msg/Image"));
+  CHECK_THROWS_WITH(
+      import(ride(), folder, {"/wrist/image_raw", "", ""}),
+      Catch::Contains("expected messages of the type sensor_msgs/msg/JointState, found sensor_msgs/msg/Image"));
   CHECK_THROWS_WITH(import(ride("bayer_rggb8"), folder), Catch::Contains("bayer_rggb8"));
   CHECK_THROWS_WITH(import(ride(), folder, {"/joint_states", "", "/none"}), Catch::Contains("--camera-model"));
   McapWriter moving;

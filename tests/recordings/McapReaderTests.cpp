@@ -91,8 +91,8 @@ TEST_CASE("damaged MCAP recordings are refused with place, expected and found") 
   const auto chunk = [](const std::string& compression, std::uint64_t size, const std::string& data) {
     return McapWriter::record(0x06, McapWriter::number(std::uint64_t{0}) + McapWriter::number(std::uint64_t{0}) +
                                         McapWriter::number(size) + McapWriter::number(std::uint32_t{0}) +
-                                        McapWriter::text(compression) +
-                                        McapWriter::number(std::uint64_t{data.size()}) + data);
+                                        McapWriter::text(compression) + McapWriter::number(std::uint64_t{data.size()}) +
+                                        data);
   };
   const std::vector<Broken> all{
       {"SQLite format 3", "expected an MCAP recording, found another format"},

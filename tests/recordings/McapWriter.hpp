@@ -64,9 +64,7 @@ public:
     std::memcpy(bytes.data(), &value, sizeof(T));
     return bytes;
   }
-  static std::string text(const std::string& value) {
-    return number(static_cast<std::uint32_t>(value.size())) + value;
-  }
+  static std::string text(const std::string& value) { return number(static_cast<std::uint32_t>(value.size())) + value; }
 
 private:
   void add(const std::string& bytes) { (compression_ == "none" ? file_ : chunk_) += bytes; }

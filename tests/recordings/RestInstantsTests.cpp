@@ -50,8 +50,8 @@ TEST_CASE("one picture stands for each rest of all joints, and equal rests are r
 
 TEST_CASE("pictures without readings around them, or during a motion, are no rests") {
   const std::map<std::string, JointSeries> joints{{"a", stops({0.1, 0.5})}};
-  CHECK(findRestInstants(joints, {milliseconds{100}}, {}).empty());   // no reading 0.25 s before
-  CHECK(findRestInstants(joints, {milliseconds{2500}}, {}).empty());  // moves
+  CHECK(findRestInstants(joints, {milliseconds{100}}, {}).empty());    // no reading 0.25 s before
+  CHECK(findRestInstants(joints, {milliseconds{2500}}, {}).empty());   // moves
   CHECK(findRestInstants(joints, {milliseconds{60'000}}, {}).empty()); // after the last reading
   CHECK(findRestInstants(joints, {milliseconds{1000}}, {}).size() == 1);
   CHECK(findRestInstants({{"a", stops({0.1}, 0.01)}}, {milliseconds{1000}}, {}).empty()); // trembles

@@ -68,7 +68,8 @@ TEST_CASE("a table of joint angles and tracked positions becomes a capture set t
 TEST_CASE("a table's pictures are copied into the set, with lens and mount") {
   const TemporaryDirectory folder;
   writeImage({4, 2, {1, 2, 3, 4, 5, 6, 7, 8}}, folder.path() / "a.png");
-  const TableImport result = import("q1,q2,q3,file\n0.1,0.2,0.1,a.png\n0.1,0.2,0.1,a.png\n0.3,0.2,0.1,\n", folder.path());
+  const TableImport result =
+      import("q1,q2,q3,file\n0.1,0.2,0.1,a.png\n0.1,0.2,0.1,a.png\n0.3,0.2,0.1,\n", folder.path());
   CHECK(result.withoutMeasurement == 1);
   writeImport(result.imported, folder.path() / "set");
   const CaptureSet set = readCaptureSet(folder.path() / "set").set;
@@ -85,11 +86,13 @@ TEST_CASE("a table's bad cells are refused with row and column") {
     std::string text, sentence;
   };
   const std::vector<Broken> all{
-      {"q1,q2,q3,x,y,z\n1,0,0,1,2,\n", "log.csv, row 2, columns \"x\", \"y\", \"z\": expected three coordinates or none, found 2"},
+      {"q1,q2,q3,x,y,z\n1,0,0,1,2,\n",
+       "log.csv, row 2, columns \"x\", \"y\", \"z\": expected three coordinates or none, found 2"},
       {"q1_rad,q2,q3,x,y,z\n90,0,0,1,2,3\n", "are these degrees?"},
       {"q1,q2,q3,x_m,y_m,z_m\n1,0,0,1,2,3000\n", "are these millimetres?"},
       {"q1,q2,q3,x,y,z\n1,zero,0,1,2,3\n", "column \"q2\": expected a number, found \"zero\""},
-      {"q1,q2,q3,x,y,z,qw,qx,qy,qz\n1,0,0,1,2,3,1,1,0,0\n", "expected a quaternion w, x, y, z of length 1, found length 1.414"},
+      {"q1,q2,q3,x,y,z,qw,qx,qy,qz\n1,0,0,1,2,3,1,1,0,0\n",
+       "expected a quaternion w, x, y, z of length 1, found length 1.414"},
       {"q1,q2,q3,x,y,z,qw,qx,qy,qz\n1,0,0,1,2,3,,1,0,0\n", "expected a quaternion"},
       {"q1,q2,q3,x,y,z,pose\n1,0,0,1,2,3,\n", "expected the name of a pose, found an empty cell"},
       {"q1,q2,q3,x,y,z,pose,repeat\n1,0,0,1,2,3,A,-1\n", "expected a number of a repeat"},

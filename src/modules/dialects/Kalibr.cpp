@@ -1,7 +1,7 @@
 #include "dialects/Kalibr.hpp"
 
-#include "dialects/text/Decimals.hpp"
 #include "dialects/MountAngles.hpp"
+#include "dialects/text/Decimals.hpp"
 #include "dialects/text/YamlText.hpp"
 #include "io/InputError.hpp"
 #include "math/RigidTransform.hpp"

@@ -71,9 +71,8 @@ void correctElement(TiXmlElement& element, const Joint& joint, const UrdfJointCo
   const Eigen::Isometry3d corrected = drawn * geometryOf(correction) * motionOf(joint, -correction.offset);
   origin->SetAttribute("xyz", writeNumbers(corrected.translation()));
   origin->SetAttribute("rpy", writeNumbers(rollPitchYaw(corrected.linear())));
-  const std::string note =
-      fmt::format(" calibrated by naocal: offset {} (reading minus true) is in the origin ",
-                  offsetText(joint, correction.offset));
+  const std::string note = fmt::format(" calibrated by naocal: offset {} (reading minus true) is in the origin ",
+                                       offsetText(joint, correction.offset));
   element.InsertBeforeChild(origin, TiXmlComment{note.c_str()});
 }
 
@@ -119,12 +118,13 @@ std::string correctUrdf(const std::string& text, const std::string& name, const 
 }
 
 std::string urdfOffsetsYaml(const Robot& robot, const std::map<std::string, UrdfJointCorrection>& corrections) {
-  std::string yaml = "# Joint offsets by naocal: reading minus true angle [rad], of slides [m]. For the URDF as it was;\n"
-                     "# the corrected URDF has them in its origins.\njoint_offsets:\n";
+  std::string yaml =
+      "# Joint offsets by naocal: reading minus true angle [rad], of slides [m]. For the URDF as it was;\n"
+      "# the corrected URDF has them in its origins.\njoint_offsets:\n";
   for (const Joint& joint : robot.joints) {
     if (const auto found = corrections.find(joint.name); found != corrections.end()) {
-      yaml += fmt::format("  {}: {{offset: {}, sigma: {}}}\n", joint.name, found->second.offset,
-                          found->second.offsetSigma);
+      yaml +=
+          fmt::format("  {}: {{offset: {}, sigma: {}}}\n", joint.name, found->second.offset, found->second.offsetSigma);
     }
   }
   return yaml;

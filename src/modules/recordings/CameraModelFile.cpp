@@ -36,9 +36,10 @@ void requirePositive(const CameraIntrinsics& lens, const std::string& file) {
 }
 
 [[noreturn]] void refuseCoefficient(std::size_t index, const std::string& file) {
-  throw InputError{fmt::format("{}: expected distortion by k1, k2, p1, p2, k3 only, found coefficient {} that is not 0: "
-                               "calibrate with 5 coefficients",
-                               file, index + 1)};
+  throw InputError{
+      fmt::format("{}: expected distortion by k1, k2, p1, p2, k3 only, found coefficient {} that is not 0: "
+                  "calibrate with 5 coefficients",
+                  file, index + 1)};
 }
 
 // mrcal
@@ -105,7 +106,8 @@ CameraIntrinsics readOpenCv(const std::string& text, const std::string& file) {
     const cv::FileNode matrixNode = findNode(storage, {"camera_matrix", "cameraMatrix", "Camera_Matrix", "K"}, file);
     const std::vector<double> matrix = readMatrix(matrixNode, file);
     if (matrix.size() != 9) {
-      throw InputError{fmt::format("{}: expected 3 x 3 numbers in {}, found {}", file, matrixNode.name(), matrix.size())};
+      throw InputError{
+          fmt::format("{}: expected 3 x 3 numbers in {}, found {}", file, matrixNode.name(), matrix.size())};
     }
     CameraIntrinsics lens;
     lens.width = readSide(findNode(storage, {"image_width", "imageWidth", "image_Width"}, file));
@@ -114,11 +116,10 @@ CameraIntrinsics readOpenCv(const std::string& text, const std::string& file) {
     lens.cx = matrix[2];
     lens.fy = matrix[4];
     lens.cy = matrix[5];
-    const std::vector<double> distortion =
-        readMatrix(findNode(storage,
-                            {"distortion_coefficients", "dist_coeffs", "distCoeffs", "Distortion_Coefficients", "D"},
-                            file),
-                   file);
+    const std::vector<double> distortion = readMatrix(
+        findNode(storage, {"distortion_coefficients", "dist_coeffs", "distCoeffs", "Distortion_Coefficients", "D"},
+                 file),
+        file);
     if (const auto index = setDistortion(distortion, lens)) {
       refuseCoefficient(*index, file);
     }

@@ -61,8 +61,8 @@ void addCamera(const ImportScene& scene, const std::optional<CameraIntrinsics>& 
 void writeImport(const ImportedSet& imported, const std::filesystem::path& folder) {
   if (std::filesystem::exists(folder) &&
       (!std::filesystem::is_directory(folder) || !std::filesystem::is_empty(folder))) {
-    throw InputError{fmt::format("{}: expected a new or an empty folder for the set, found one with files",
-                                 folder.string())};
+    throw InputError{
+        fmt::format("{}: expected a new or an empty folder for the set, found one with files", folder.string())};
   }
   const auto write = [&](const std::string& path, const std::string& content) {
     std::filesystem::create_directories((folder / path).parent_path());

@@ -84,8 +84,8 @@ std::vector<RestInstant> findRestInstants(const std::map<std::string, JointSerie
     if (!together.empty()) {
       const std::size_t middle = together[together.size() / 2];
       const Time time = pictures[middle];
-      rests.push_back({middle, *restAngles(joints, time - options.around, time + options.around, options.mostTravel),
-                       0, 0});
+      rests.push_back(
+          {middle, *restAngles(joints, time - options.around, time + options.around, options.mostTravel), 0, 0});
       together.clear();
     }
   };

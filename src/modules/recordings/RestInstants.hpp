@@ -19,10 +19,10 @@ struct RestOptions {
 
 /// An instant at which all joints rest, with one picture.
 struct RestInstant {
-  std::size_t picture = 0;            // index into the times of pictures
+  std::size_t picture = 0;              // index into the times of pictures
   std::map<std::string, double> angles; // mean over the window, by joint [rad], [m]
-  std::size_t pose = 0;               // rests at equal angles share it
-  int repeat = 0;                     // within the pose
+  std::size_t pose = 0;                 // rests at equal angles share it
+  int repeat = 0;                       // within the pose
 };
 
 /// One instant for each rest between two motions: that of the middle picture during which all joints rest. A picture

@@ -91,8 +91,8 @@ std::string dialectHelp() {
   for (const Dialect& dialect : dialects()) {
     text += fmt::format("\n  {:<14} {}", dialect.name, dialect.what);
   }
-  return text + fmt::format("\n  {:<14} {}", urdfDialect,
-                            "the URDF with corrected joint origins, and the offsets as YAML");
+  return text +
+         fmt::format("\n  {:<14} {}", urdfDialect, "the URDF with corrected joint origins, and the offsets as YAML");
 }
 
 std::vector<std::string> exportNames() {

@@ -80,8 +80,7 @@ void addImport(CLI::App& app) {
   auto command = std::make_shared<ImportCommand>();
   CLI::App* importer = app.get_subcommand("import");
   importer->footer("Example: naocal import jointCalibration.cfg cameraCalibration.cfg --from bhuman -o start.json");
-  importer->add_option("FILE", command->files, "files of one robot, at most one of each kind")
-      ->type_name("FILE");
+  importer->add_option("FILE", command->files, "files of one robot, at most one of each kind")->type_name("FILE");
   importer->add_option("--from", command->dialect, "the other program")
       ->type_name("DIALECT")
       ->check(oneOf(dialectNames()));

@@ -79,8 +79,9 @@ void importTableCommand(const TableCommand& command) {
   if (command.columns.empty()) {
     const ColumnGuess guess = guessColumns(table, scene.robot);
     map = guess.map;
-    printText("columns as guessed from their names; correct them in {}/columns.json and give that with --columns:\n{}\n",
-              command.scene.output, columnMapJson(map).dump(2));
+    printText(
+        "columns as guessed from their names; correct them in {}/columns.json and give that with --columns:\n{}\n",
+        command.scene.output, columnMapJson(map).dump(2));
     if (!guess.unused.empty()) {
       printText("not used: {}\n", fmt::format("{}", fmt::join(guess.unused, ", ")));
     }
@@ -132,7 +133,8 @@ void addSceneOptions(CLI::App& app, SceneOptions& options) {
 
 void addTableImport(CLI::App& importer) {
   auto command = std::make_shared<TableCommand>();
-  CLI::App* app = importer.add_subcommand("csv", "a table of joint angles, with names of pictures or measured positions");
+  CLI::App* app =
+      importer.add_subcommand("csv", "a table of joint angles, with names of pictures or measured positions");
   app->footer("Example: naocal import csv log.csv --robot arm.urdf --boards boards.json --camera-model lens.yaml "
               "--camera-link wrist_camera_optical -o captures");
   app->add_option("TABLE", command->table, "table with a row of names above one row per reading")

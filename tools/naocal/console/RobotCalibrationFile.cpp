@@ -27,7 +27,8 @@
 
 namespace naocal {
 
-std::vector<std::string> findCaptureFolders(const StoredResult& result, const std::string& file, const PostureOptions& options) {
+std::vector<std::string> findCaptureFolders(const StoredResult& result, const std::string& file,
+                                            const PostureOptions& options) {
   if (!options.sets.empty()) {
     return options.sets;
   }

@@ -29,7 +29,7 @@ std::string decompressLz4(std::string_view data, std::size_t size, const std::st
     throw std::bad_alloc{};
   }
   const std::unique_ptr<LZ4F_dctx, decltype(&LZ4F_freeDecompressionContext)> context{created,
-                                                                                    &LZ4F_freeDecompressionContext};
+                                                                                     &LZ4F_freeDecompressionContext};
   std::string result(size, '\0');
   std::size_t written = 0, rest = 1;
   while (rest != 0 && !data.empty()) {

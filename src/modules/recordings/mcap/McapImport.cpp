@@ -148,8 +148,8 @@ private:
                                    topics_.joints, topicList())};
     }
     if (contents_.joints.empty()) {
-      throw InputError{fmt::format("{}, topic {}: expected joints of the URDF, found others", file_.string(),
-                                   topics_.joints)};
+      throw InputError{
+          fmt::format("{}, topic {}: expected joints of the URDF, found others", file_.string(), topics_.joints)};
     }
     if (contents_.pictures.empty()) {
       throw InputError{fmt::format("{}: expected pictures on the topic {} (--images), found {}", file_.string(),

@@ -183,12 +183,11 @@ private:
     fields.take(sizeof(std::uint64_t)); // publish time
     const auto channel = channels_.find(id);
     if (channel == channels_.end()) {
-      throw InputError{
-          fmt::format("{}: expected the channel {} before its message, found none", fields.where(), id)};
+      throw InputError{fmt::format("{}: expected the channel {} before its message, found none", fields.where(), id)};
     }
     const Channel& of = channel->second;
-    ended_ = !visit_({of.topic, of.schema, of.encoding, std::chrono::nanoseconds{static_cast<std::int64_t>(time)},
-                      fields.rest()});
+    ended_ = !visit_(
+        {of.topic, of.schema, of.encoding, std::chrono::nanoseconds{static_cast<std::int64_t>(time)}, fields.rest()});
   }
 
   void readChunk(RecordFields& fields) {

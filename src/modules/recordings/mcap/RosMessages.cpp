@@ -67,10 +67,9 @@ struct PixelLayout {
 
 const std::map<std::string, PixelLayout, std::less<>>& pixelLayouts() {
   static const std::map<std::string, PixelLayout, std::less<>> layouts{
-      {"mono8", {1, {0, 0, 0}}},  {"8UC1", {1, {0, 0, 0}}},  {"rgb8", {3, {0, 1, 2}}},
-      {"8UC3", {3, {2, 1, 0}}},   {"bgr8", {3, {2, 1, 0}}},  {"rgba8", {4, {0, 1, 2}}},
-      {"bgra8", {4, {2, 1, 0}}},  {"yuv422_yuy2", {2, {0, 0, 0}}}, {"yuyv", {2, {0, 0, 0}}},
-      {"uyvy", {2, {1, 1, 1}}},   {"yuv422", {2, {1, 1, 1}}},
+      {"mono8", {1, {0, 0, 0}}}, {"8UC1", {1, {0, 0, 0}}},  {"rgb8", {3, {0, 1, 2}}},   {"8UC3", {3, {2, 1, 0}}},
+      {"bgr8", {3, {2, 1, 0}}},  {"rgba8", {4, {0, 1, 2}}}, {"bgra8", {4, {2, 1, 0}}},  {"yuv422_yuy2", {2, {0, 0, 0}}},
+      {"yuyv", {2, {0, 0, 0}}},  {"uyvy", {2, {1, 1, 1}}},  {"yuv422", {2, {1, 1, 1}}},
   };
   return layouts;
 }
@@ -100,8 +99,8 @@ RosJointState parseJointState(std::string_view data, const std::string& where) {
     state.names = fields.read<std::vector<std::string>>();
     state.positions = fields.read<std::vector<double>>();
     if (state.positions.size() != state.names.size()) {
-      throw InputError{fmt::format("{}: expected a position for each of {} joints, found {}", where,
-                                   state.names.size(), state.positions.size())};
+      throw InputError{fmt::format("{}: expected a position for each of {} joints, found {}", where, state.names.size(),
+                                   state.positions.size())};
     }
     return state;
   });

@@ -49,9 +49,9 @@ struct NamedColumn {
 
 std::string unitOf(const std::string& word) {
   static const std::map<std::string, std::string> units{
-      {"deg", "deg"}, {"degree", "deg"}, {"degrees", "deg"}, {"rad", "rad"}, {"radian", "rad"}, {"radians", "rad"},
-      {"m", "m"},     {"mm", "mm"},      {"cm", "cm"},       {"s", "s"},     {"sec", "s"},      {"ms", "ms"},
-      {"us", "us"},   {"ns", "ns"}};
+      {"deg", "deg"},     {"degree", "deg"}, {"degrees", "deg"}, {"rad", "rad"}, {"radian", "rad"},
+      {"radians", "rad"}, {"m", "m"},        {"mm", "mm"},       {"cm", "cm"},   {"s", "s"},
+      {"sec", "s"},       {"ms", "ms"},      {"us", "us"},       {"ns", "ns"}};
   const auto found = units.find(word);
   return found == units.end() ? "" : found->second;
 }
@@ -71,8 +71,8 @@ NamedColumn nameColumn(const std::string& name) {
 std::optional<int> jointNumber(const NamedColumn& column) {
   const std::string name = fmt::format("{}", fmt::join(column.words, ""));
   const auto digit = std::find_if(name.begin(), name.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
-  static const std::set<std::string> usual{"q", "j", "joint", "theta", "axis", "a", "angle", "jointangle", "jnt",
-                                           "jointposition", "position", "pos"};
+  static const std::set<std::string> usual{"q",     "j",          "joint", "theta",         "axis",     "a",
+                                           "angle", "jointangle", "jnt",   "jointposition", "position", "pos"};
   const std::string number{digit, name.end()};
   const bool isNumber = !number.empty() && number.size() < 4 &&
                         std::all_of(number.begin(), number.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
@@ -267,7 +267,8 @@ private:
   }
 
   void guessOthers() {
-    map_.image = take({"image", "img", "picture", "file", "filename", "file_name", "image_file", "image_name", "frame"});
+    map_.image =
+        take({"image", "img", "picture", "file", "filename", "file_name", "image_file", "image_name", "frame"});
     map_.time = take({"t", "time", "timestamp", "stamp", "seconds"});
     if (map_.time) {
       const std::string unit = nameColumn(*map_.time).unit;

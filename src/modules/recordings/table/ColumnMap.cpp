@@ -61,8 +61,7 @@ JointColumn readJoint(const JsonCursor& entry, const Joint& joint) {
   return result;
 }
 
-template <std::size_t count>
-std::array<std::string, count> readColumns(const JsonCursor& list, std::string_view what) {
+template <std::size_t count> std::array<std::string, count> readColumns(const JsonCursor& list, std::string_view what) {
   const std::vector<std::string> names = list.texts();
   if (names.size() != count) {
     list.refuse(fmt::format("{} columns: {}", count, what), std::to_string(names.size()));
@@ -102,12 +101,9 @@ PointColumns readPoint(const JsonCursor& entry, const Robot& robot) {
 
 FrameColumns readFrame(const JsonCursor& entry, const Robot& robot) {
   requireKnownKeys(entry, {"frame", "tracker", "link", "columns", "unit", "quaternion"});
-  return {entry.at("frame").text(),
-          textOr(entry, "tracker", "tracker"),
-          readLink(entry, robot),
-          readColumns<3>(entry.at("columns"), "x, y, z"),
-          readLengthUnit(entry),
-          readColumns<4>(entry.at("quaternion"), "w, x, y, z")};
+  return {entry.at("frame").text(), textOr(entry, "tracker", "tracker"),
+          readLink(entry, robot),   readColumns<3>(entry.at("columns"), "x, y, z"),
+          readLengthUnit(entry),    readColumns<4>(entry.at("quaternion"), "w, x, y, z")};
 }
 
 std::optional<std::string> findText(const JsonCursor& object, const std::string& key) {

@@ -69,8 +69,8 @@ ParsedRows parseRows(std::string_view text, char separator, const std::string& f
                                  parsed.rows.size(), csv_strerror(csv_error(&parser)))};
   }
   if (parsed.isTooLarge) {
-    throw InputError{fmt::format("{}: expected at most {} rows and {} columns, found more", file, mostCaptures,
-                                 mostTableColumns)};
+    throw InputError{
+        fmt::format("{}: expected at most {} rows and {} columns, found more", file, mostCaptures, mostTableColumns)};
   }
   parsed.rows.pop_back(); // begun after the last row
   return parsed;
@@ -120,8 +120,9 @@ void CsvTable::checkNames() const {
 std::size_t CsvTable::column(const std::string& name) const {
   const auto found = std::find(names_.begin(), names_.end(), name);
   if (found == names_.end()) {
-    throw InputError{fmt::format("{}: expected a column \"{}\", found {}", file_, printableText(name, 80),
-                                 printableText(fmt::format("{}", fmt::join(closestNames(name, names_, 8), ", ")), 400))};
+    throw InputError{
+        fmt::format("{}: expected a column \"{}\", found {}", file_, printableText(name, 80),
+                    printableText(fmt::format("{}", fmt::join(closestNames(name, names_, 8), ", ")), 400))};
   }
   return static_cast<std::size_t>(found - names_.begin());
 }

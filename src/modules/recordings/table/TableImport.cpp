@@ -60,9 +60,10 @@ public:
       }
     }
     if (result.imported.set.captures.empty()) {
-      throw InputError{fmt::format("{}: expected rows with a picture, a measured point or a measured frame, found none; "
-                                   "say which columns they are with --columns",
-                                   table_.file())};
+      throw InputError{
+          fmt::format("{}: expected rows with a picture, a measured point or a measured frame, found none; "
+                      "say which columns they are with --columns",
+                      table_.file())};
     }
     if (map_.image) {
       addCamera(scene_, scene_.lens, scene_.cameraLink, result.imported);
@@ -141,8 +142,8 @@ private:
     const std::size_t column = table_.column(*map_.time);
     const std::optional<double> time = table_.number(row, column);
     if (!time) {
-      throw InputError{fmt::format("{}, column \"{}\": expected a time, found an empty cell", table_.where(row),
-                                   *map_.time)};
+      throw InputError{
+          fmt::format("{}, column \"{}\": expected a time, found an empty cell", table_.where(row), *map_.time)};
     }
     if (!start_) {
       start_ = *time;
@@ -190,8 +191,8 @@ private:
       capture.repeat = static_cast<int>(*repeat);
       return;
     }
-    const auto last = std::find_if(before.rbegin(), before.rend(),
-                                   [&](const Capture& other) { return other.pose == capture.pose; });
+    const auto last =
+        std::find_if(before.rbegin(), before.rend(), [&](const Capture& other) { return other.pose == capture.pose; });
     if (last != before.rend()) {
       capture.repeat = last->repeat + (last == before.rbegin() && isAsBefore ? 0 : 1);
       capture.repeatKind = last == before.rbegin() ? last->repeatKind : RepeatKind::reapproach;
