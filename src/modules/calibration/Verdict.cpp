@@ -5,6 +5,7 @@
 #include "calibration/Wording.hpp"
 #include "effects/Catalogue.hpp"
 #include "inference/Thresholds.hpp"
+#include "io/Units.hpp"
 #include "math/Angles.hpp"
 
 #include <Eigen/QR>
@@ -105,6 +106,12 @@ std::string formatSizes(const CalibrationResult& result, const DisplacedBoardCou
                      displaced.any() ? rmsWithoutMoved(result) : result.rmsPx, result.noiseFloorPx);
 }
 
+/// An offset's sigma with its unit: "5.7°", "3.1 mm".
+std::string formatSigma(const Term& offset, double sigma) {
+  const auto [unit, factor] = displayUnit(offset.effect.unknowns.front().unit);
+  return appendUnit(fmt::format("{:.1f}", factor * sigma), unit);
+}
+
 using About = Warning::About;
 
 void warn(About about, std::string sentence, CalibrationResult& result) {
@@ -119,18 +126,19 @@ std::vector<Warning> checkOffsets(const Measurements& measurements, const Model&
   for (const Term& term : model.terms()) {
     const Estimate& estimate = result.estimates[term.first];
     if (const auto imitator = isHeld(measurements, model, result, term) ? findImitator(model, result, term) : nullptr) {
-      held.push_back({About::offset,
-                      fmt::format("{} cannot be told from {} and is held at zero (±{:.1f}°)", describeUnknown(term, 0),
-                                  describePlacement(*imitator), degrees(estimate.sigma))});
+      held.push_back(
+          {About::offset, fmt::format("{} cannot be told from {} and is held at zero (±{})", describeUnknown(term, 0),
+                                      describePlacement(*imitator), formatSigma(term, estimate.sigma))});
       continue;
     }
     if (term.effect.name == effectName::jointOffset && term.requested && estimate.learned < 0.5) {
       result.usable = false;
       warn(About::offset,
-           fmt::format("{} cannot be learned from these captures ({:.0f} % learned, ±{:.1f}°): "
+           fmt::format("{} cannot be learned from these captures ({:.0f} % learned, ±{}): "
                        "add poses that move it, or leave it out "
                        "with --without {}",
-                       describeUnknown(term, 0), 100 * estimate.learned, degrees(estimate.sigma), term.label()),
+                       describeUnknown(term, 0), 100 * estimate.learned, formatSigma(term, estimate.sigma),
+                       term.label()),
            result);
     }
   }

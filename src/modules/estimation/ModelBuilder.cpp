@@ -575,6 +575,17 @@ void fitPrior(const Measurements& measurements, const Eigen::VectorXd& loads, Te
   term.effect.inBaseModel = true;
 }
 
+/// The units of an effect on the position of a joint that slides: lengths instead of angles, forces instead of torques.
+void useLengths(Term& term) {
+  for (Unknown& unknown : term.effect.unknowns) {
+    for (const auto& [turning, sliding] : {std::pair{"rad", "m"}, std::pair{"Nm", "N"}}) {
+      if (const std::size_t at = unknown.unit.find(turning); at != std::string::npos) {
+        unknown.unit.replace(at, std::string_view{turning}.size(), sliding);
+      }
+    }
+  }
+}
+
 } // namespace
 
 std::vector<Term> candidateTerms(const Measurements& measurements, const std::vector<Effect>& effects) {
@@ -587,6 +598,9 @@ std::vector<Term> candidateTerms(const Measurements& measurements, const std::ve
           {effect.name == effectName::motorCoupling ? motorCoupling(*nextTowardsBase(measurements, at)) : effect, at,
            place});
       fitPrior(measurements, loads, result.back());
+      if (effect.placeKind == PlaceKind::motor && measurements.robot.joints[at].isPrismatic) {
+        useLengths(result.back());
+      }
     }
   }
   return result;
