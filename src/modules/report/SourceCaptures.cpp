@@ -112,7 +112,8 @@ std::vector<PictureRecord> readPictures(const JsonCursor& result) {
         .first->second.boards.push_back(seenBoard(observation));
   }
   if (pictures.empty()) {
-    observations.refuse("at least one board in a picture");
+    observations.refuse("at least one board in a picture, which is what a report shows",
+                        "none, as of a set with readings of trackers or contacts only");
   }
   std::vector<PictureRecord> sorted;
   for (auto& [key, picture] : pictures) {
