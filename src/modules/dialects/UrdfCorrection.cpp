@@ -2,10 +2,9 @@
 
 #include "io/InputError.hpp"
 #include "math/Angles.hpp"
+#include "robot/Kinematics.hpp"
 
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
 #include <fmt/format.h>
 #include <sstream>
 #include <tinyxml.h>
@@ -15,21 +14,7 @@ namespace naocal {
 namespace {
 
 using Eigen::AngleAxisd, Eigen::Vector3d;
-
-/// Fixed-axis angles: rotation = Rz(yaw) Ry(pitch) Rx(roll).
-Vector3d rollPitchYaw(const Eigen::Matrix3d& rotation) {
-  const double pitch = std::atan2(-rotation(2, 0), std::hypot(rotation(0, 0), rotation(1, 0)));
-  if (std::hypot(rotation(0, 0), rotation(1, 0)) < 1e-12) { // roll and yaw turn about one axis
-    return {0, pitch, std::atan2(-rotation(0, 1), rotation(1, 1))};
-  }
-  return {std::atan2(rotation(2, 1), rotation(2, 2)), pitch, std::atan2(rotation(1, 0), rotation(0, 0))};
-}
-
-Eigen::Matrix3d rotationOf(const Vector3d& rpy) {
-  return (AngleAxisd{rpy.z(), Vector3d::UnitZ()} * AngleAxisd{rpy.y(), Vector3d::UnitY()} *
-          AngleAxisd{rpy.x(), Vector3d::UnitX()})
-      .toRotationMatrix();
-}
+using Placement6 = Eigen::Matrix<double, 6, 1>; // x, y, z, roll, pitch, yaw
 
 Vector3d readNumbers(const TiXmlElement& origin, const char* key) {
   Vector3d numbers = Vector3d::Zero(); // the URDF's default
@@ -66,11 +51,13 @@ void correctElement(TiXmlElement& element, const Joint& joint, const UrdfJointCo
   if (origin == nullptr) {
     origin = element.InsertEndChild(TiXmlElement{"origin"})->ToElement();
   }
-  const Eigen::Isometry3d drawn =
-      Eigen::Translation3d{readNumbers(*origin, "xyz")} * Eigen::Quaterniond{rotationOf(readNumbers(*origin, "rpy"))};
-  const Eigen::Isometry3d corrected = drawn * geometryOf(correction) * motionOf(joint, -correction.offset);
-  origin->SetAttribute("xyz", writeNumbers(corrected.translation()));
-  origin->SetAttribute("rpy", writeNumbers(rollPitchYaw(corrected.linear())));
+  Placement6 drawn;
+  drawn << readNumbers(*origin, "xyz"), readNumbers(*origin, "rpy");
+  const Eigen::Isometry3d step = geometryOf(correction) * motionOf(joint, -correction.offset);
+  const Placement6 corrected =
+      placementFromTransform(transformFromPlacement(drawn) * RigidTransform{step.linear(), step.translation()});
+  origin->SetAttribute("xyz", writeNumbers(corrected.head<3>()));
+  origin->SetAttribute("rpy", writeNumbers(corrected.tail<3>()));
   const std::string note = fmt::format(" calibrated by naocal: offset {} (reading minus true) is in the origin ",
                                        offsetText(joint, correction.offset));
   element.InsertBeforeChild(origin, TiXmlComment{note.c_str()});

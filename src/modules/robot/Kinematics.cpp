@@ -119,8 +119,12 @@ RigidTransform transformFromPlacement(const Eigen::Ref<const Eigen::Matrix<doubl
 
 Eigen::Matrix<double, 6, 1> placementFromTransform(const RigidTransform& transform) {
   const Eigen::Matrix3d& r = transform.rotation;
-  const double pitch = std::atan2(-r(2, 0), std::hypot(r(0, 0), r(1, 0)));
+  const double level = std::hypot(r(0, 0), r(1, 0)), pitch = std::atan2(-r(2, 0), level);
   Eigen::Matrix<double, 6, 1> placement;
+  if (level < 1e-12) { // roll and yaw turn about one axis: yaw does it
+    placement << transform.translation, 0, pitch, std::atan2(-r(0, 1), r(1, 1));
+    return placement;
+  }
   placement << transform.translation, std::atan2(r(2, 1), r(2, 2)), pitch, std::atan2(r(1, 0), r(0, 0));
   return placement;
 }
