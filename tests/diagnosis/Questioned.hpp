@@ -2,6 +2,7 @@
 
 #include "SimulatedSets.hpp"
 #include "diagnosis/evidence/CandidateTests.hpp"
+#include "estimation/CandidateTerms.hpp"
 #include "estimation/ModelBuilder.hpp"
 
 #include <algorithm>

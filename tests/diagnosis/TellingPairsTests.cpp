@@ -2,6 +2,7 @@
 
 #include "PerfectBut.hpp"
 #include "Questioned.hpp"
+#include "estimation/CandidateTerms.hpp"
 #include "estimation/ModelBuilder.hpp"
 #include "inference/DriverBasis.hpp"
 

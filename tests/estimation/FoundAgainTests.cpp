@@ -1,3 +1,4 @@
+#include "estimation/CandidateTerms.hpp"
 #include "estimation/ModelBuilder.hpp"
 #include "estimation/Residuals.hpp"
 #include "math/LevenbergMarquardt.hpp"

@@ -5,6 +5,7 @@
 #include "library/naocal.hpp"
 
 #include <catch2/catch.hpp>
+#include <functional>
 #include <nlohmann/json.hpp>
 
 namespace naocal {
@@ -30,6 +31,24 @@ std::map<std::string, double> truthOf(const std::filesystem::path& folder, const
     }
   }
   return values;
+}
+
+/// The captures with something changed in their set.
+Captures spoil(const Captures& good, const std::function<void(CaptureSet&)>& change) {
+  std::vector<CaptureSet> sets = *good.measurements.sets;
+  change(sets.front());
+  return {good.sources, buildMeasurements(std::move(sets), good.measurements.robot)};
+}
+
+/// The captures with a joint's readings changed.
+Captures misread(const Captures& good, const std::string& joint, double factor, double shift) {
+  return spoil(good, [&](CaptureSet& set) {
+    const auto at = static_cast<std::size_t>(std::find(set.jointNames.begin(), set.jointNames.end(), joint) -
+                                             set.jointNames.begin());
+    for (Capture& capture : set.captures) {
+      capture.joints.measured[at] = factor * capture.joints.measured[at] + shift;
+    }
+  });
 }
 
 } // namespace
@@ -111,17 +130,8 @@ TEST_CASE("a joint that turns the other way and one whose count slipped are susp
     return;
   }
   const Captures good = readConformance(*folder, "plain-so101-beside");
-  const auto spoil = [&](const std::string& joint, double factor, double shift) {
-    std::vector<CaptureSet> sets = *good.measurements.sets;
-    const auto& names = sets.front().jointNames;
-    const auto at = static_cast<std::size_t>(std::find(names.begin(), names.end(), joint) - names.begin());
-    for (Capture& capture : sets.front().captures) {
-      capture.joints.measured[at] = factor * capture.joints.measured[at] + shift;
-    }
-    Robot robot = readConformance(*folder, "plain-so101-beside").measurements.robot;
-    return diagnose(Captures{good.sources, buildMeasurements(std::move(sets), robot)});
-  };
-  const Diagnosis reversed = spoil("wrist_flex", -1, 0), slipped = spoil("elbow_flex", 1, 0.41887902);
+  const Diagnosis reversed = diagnose(misread(good, "wrist_flex", -1, 0)),
+                  slipped = diagnose(misread(good, "elbow_flex", 1, 0.41887902));
   CHECK(toString(reversed.verdict) == "bad-captures");
   REQUIRE_FALSE(reversed.anomalies.empty());
   CHECK(reversed.anomalies.front().setUp == "reversedJoint@wrist_flex");
@@ -131,6 +141,58 @@ TEST_CASE("a joint that turns the other way and one whose count slipped are susp
   const json written = diagnosisJson(slipped);
   CHECK(written["ranking"][0]["effect"] == "countSlip");
   CHECK(written["suspicious"][0]["setUp"] == "countSlip@elbow_flex");
+}
+
+TEST_CASE("one bad reading of a tracker is named and moves no offset", "[slow]") {
+  // Spoils one of a plain set's readings by 20 mm, as a tracker that takes another mark for its own.
+  const auto folder = sharedData("conformance-robots");
+  if (!folder) {
+    return;
+  }
+  const Captures good = readConformance(*folder, "plain-ur10-tracker");
+  const int id = good.measurements.sets->front().captures[7].id;
+  const Captures bad = spoil(good, [](CaptureSet& set) {
+    REQUIRE_FALSE(set.captures[7].points.empty());
+    set.captures[7].points.front().xyz += Eigen::Vector3d{0.012, -0.01, 0.012};
+  });
+  const Calibrated before = calibrate(good), after = calibrate(bad);
+  REQUIRE(after.result.doubtfulReadings.size() == 1);
+  CHECK(bad.measurements.captureOf(bad.measurements.pictures[after.result.doubtfulReadings.front().picture]).id == id);
+  for (std::size_t i = 0; i < before.result.estimates.size(); ++i) {
+    const Estimate& estimate = before.result.estimates[i];
+    CHECK(std::abs(after.result.estimates[i].value - estimate.value) < estimate.sigma);
+  }
+  const Diagnosis diagnosis = diagnose(bad);
+  CHECK(toString(diagnosis.verdict) == "bad-captures");
+  CHECK(diagnosis.suggested.empty());
+  REQUIRE(diagnosis.anomalies.size() == 1);
+  CHECK(diagnosis.anomalies.front().capture == id);
+}
+
+TEST_CASE("a tracker that was moved between captures is named with the first capture after it", "[slow]") {
+  // Moves a plain set's tracker by 9 mm and 0.6 degrees in the middle.
+  const auto folder = sharedData("conformance-robots");
+  if (!folder) {
+    return;
+  }
+  const Captures good = readConformance(*folder, "plain-ur10-tracker");
+  const RigidTransform before = transformFromPlacement((Twist{} << 0.007, -0.005, 0.003, 0, 0.006, 0.008).finished());
+  std::size_t middle = good.measurements.sets->front().captures.size() / 2;
+  const Diagnosis diagnosis = diagnose(spoil(good, [&](CaptureSet& set) {
+    for (std::size_t i = middle; i < set.captures.size(); ++i) {
+      for (auto& point : set.captures[i].points) {
+        point.xyz = before * point.xyz;
+      }
+      for (auto& frame : set.captures[i].frames) {
+        frame.xyz = before * frame.xyz;
+        frame.rotation = Eigen::Quaterniond{before.rotation} * frame.rotation;
+      }
+    }
+  }));
+  CHECK(toString(diagnosis.verdict) == "bad-captures");
+  REQUIRE_FALSE(diagnosis.anomalies.empty());
+  CHECK(diagnosis.anomalies.front().moved == good.measurements.instruments.trackers.front().name);
+  CHECK(diagnosis.anomalies.front().from == good.measurements.sets->front().captures[middle].id);
 }
 
 } // namespace naocal

@@ -25,7 +25,7 @@ RestReadings read(double place, double jitter, int count, std::mt19937_64& rando
   for (int i = 0; i < count; ++i) {
     angles.push_back(encoderStep * std::round(place + noise(random)));
   }
-  return RestReadings{angles};
+  return RestReadings{angles, encoderStep};
 }
 
 } // namespace
@@ -97,7 +97,7 @@ TEST_CASE("joints that were not recorded say nothing of encoders' jitter", "[slo
 
 TEST_CASE("readings that never differ leave the whole step open") {
   // Proves the limit without jitter: variance LSB^2 / 12.
-  const RestReadings rest{{0.3, 0.3, 0.3}};
+  const RestReadings rest{{0.3, 0.3, 0.3}, encoderStep};
   CHECK_FALSE(rest.differ());
   CHECK(estimateEncoderJitter({{rest, rest}}) == std::vector<double>{0.0});
   const RestReadings::Place place = rest.place(0);
@@ -105,10 +105,22 @@ TEST_CASE("readings that never differ leave the whole step open") {
   CHECK(std::sqrt(place.variance) == Approx(encoderStep / std::sqrt(12.0)).epsilon(0.05)); // numerical integration
 }
 
+TEST_CASE("an encoder's readings are counted in its own steps") {
+  // Proves it for one of 14 bits, whose steps a NAO's encoder would not tell apart.
+  const double fine = encoderStep / 4;
+  const RestReadings rest{{0.3, 0.3 + fine, 0.3 + fine}, fine};
+  CHECK(rest.differ());
+  CHECK_FALSE(RestReadings{{0.3, 0.3 + fine, 0.3 + fine}, encoderStep}.differ());
+  const RestReadings::Place place = rest.place(0.5 * fine);
+  CHECK(place.angle > 0.3);
+  CHECK(place.angle < 0.3 + fine);
+  CHECK(std::sqrt(place.variance) < fine);
+}
+
 TEST_CASE("readings between two of an encoder's steps give a rest one place") {
   // Proves it for recordings whose images lie between alternating readings: fractions of a step are not jitter, and all
   // images of the rest have the same angle.
-  const RestReadings rest{{265.58 * encoderStep, 266 * encoderStep}};
+  const RestReadings rest{{265.58 * encoderStep, 266 * encoderStep}, encoderStep};
   CHECK_FALSE(rest.differ());
   CHECK(rest.place(0).angle == Approx(265.79 * encoderStep));
   const Robot robot = loadRobot(configurationDirectory(), "V6");
@@ -139,7 +151,7 @@ TEST_CASE("readings that lie too far apart for their joint's jitter still have a
   // Proves that position and variance are finite, and that the position is between the readings, for readings that
   // rounding and jitter cannot explain: with a jitter of 0.01 steps, two steps apart have a likelihood of zero in
   // double precision.
-  const RestReadings rest{{0, 2 * encoderStep}};
+  const RestReadings rest{{0, 2 * encoderStep}, encoderStep};
   const RestReadings::Place place = rest.place(0.01 * encoderStep);
   CHECK(place.angle == Approx(encoderStep).epsilon(0.05));
   CHECK(place.variance > 0);

@@ -1,5 +1,7 @@
 #include "hardware/simulated/SimulatedCamera.hpp"
 
+#include "math/RigidTransform.hpp"
+
 #include <algorithm>
 #include <fmt/format.h>
 
@@ -65,12 +67,10 @@ std::span<const std::uint8_t> SimulatedImage::bytes() const {
 }
 
 RenderedScene SimulatedImage::scene(const Eigen::Isometry3d& worldFromCamera) const {
-  Eigen::Matrix3d opticalFromCamera; // x right, y down, z forward from x forward, y left, z up
-  opticalFromCamera << 0, -1, 0, 0, 0, -1, 1, 0, 0;
   RenderedScene scene;
   for (const Board& board : lens_->boards) {
     const Eigen::Isometry3d opticalFromBoard =
-        opticalFromCamera * (worldFromCamera.inverse() * isometryFromPlacement(*board.placement));
+        opticalFromCamera() * (worldFromCamera.inverse() * isometryFromPlacement(*board.placement));
     scene.boards.push_back({board.id, *board.pattern, {opticalFromBoard.linear(), opticalFromBoard.translation()}});
   }
   return scene;

@@ -16,43 +16,51 @@ namespace naocal {
 
 namespace {
 
+/// What tells the noise of the measurements, apart from what joints do.
+enum class NoiseSource {
+  configured,     // the options, or errors within pictures
+  withinPictures, // errors within pictures, while joints scatter by an amount that nobody knows
+  repeats         // repeated captures; or there are no pixels
+};
+
 /// A fit with consistent noise levels, and the analysis of missing effects.
 struct NoiseConsistentFit {
   Fit fit;
   NoiseLevels levels;
-  bool fromRepeats = false;
+  NoiseSource source = NoiseSource::configured;
   std::optional<MissingEffectAnalysis> explained;
 };
 
 /// Sets the noise of readings that the sets do not give, and the pixel noise: from repeats, else from the residuals
-/// within pictures, unless the user gave it. Returns whether that came from repeats, or there are no pictures.
-bool estimateMeasurementNoise(const Measurements& measurements, const Model& model, const Fit& fit,
-                              const CalibrationOptions& options, Noise& noise) {
+/// within pictures, unless the user gave it.
+NoiseSource estimateMeasurementNoise(const Measurements& measurements, const Model& model, const Fit& fit,
+                                     const CalibrationOptions& options, Noise& noise) {
   if (measurements.witnessCount > 0) {
     noise = estimateReadingNoise(measurements, model, fit, std::move(noise), options.effects);
   }
   if (measurements.cornerCount == 0) {
-    return true; // there are no pixels to tell from scatter
+    return NoiseSource::repeats; // there are no pixels to tell from scatter
   }
   const Residuals residuals{measurements, model, fit.noise, fit.loss};
   const std::vector<BoardResidual> observations = residuals.boardResiduals(fit.minimum.state);
   if (const auto repeats = estimatePixelNoiseFromRepeats(measurements, observations)) {
     noise.pixel = repeats->anew;
     noise.pixelAlike = repeats->alike;
-    return true;
+    return NoiseSource::repeats;
   }
-  if (!options.pixelGiven) {
-    noise.pixel = estimatePixelNoiseWithinImages(observations).value_or(noise.pixel);
-  }
-  return false;
+  const auto within = options.pixelGiven ? std::nullopt : estimatePixelNoiseWithinImages(observations);
+  noise.pixel = within.value_or(noise.pixel);
+  return within && measurements.quantities.scene().hasLinkSteps ? NoiseSource::withinPictures : NoiseSource::configured;
 }
 
 /// Which kinds of repeats the captures contain.
-RepeatInfo countRepeatedRests(const Measurements& measurements) {
+RepeatInfo countRepeatedRests(const Measurements& measurements, NoiseSource source) {
   const auto some = [&](bool PoseGroup::*kind) {
     return std::any_of(measurements.poses.begin(), measurements.poses.end(), std::mem_fn(kind));
   };
-  return {.reapproached = some(&PoseGroup::repeated), .restood = some(&PoseGroup::restood)};
+  return {.reapproached = some(&PoseGroup::repeated),
+          .restood = some(&PoseGroup::restood),
+          .none = source == NoiseSource::withinPictures};
 }
 
 /// Continues from a fit at new noise levels, with or without robust loss; stops at `coarseTolerance`.
@@ -65,16 +73,19 @@ Fit fitFurther(const Measurements& measurements, const Model& model, const Calib
 /// Refines a fit: pixel noise, joint noise levels under the widest model, and missing effects at those levels.
 NoiseConsistentFit fitWithNoise(const Measurements& measurements, const Model& model, const CalibrationOptions& options,
                                 Fit fit) {
-  NoiseConsistentFit answer{
-      fitFurther(measurements, model, options, options.noise, std::move(fit)), {options.noise}, false, {}};
+  NoiseConsistentFit answer{fitFurther(measurements, model, options, options.noise, std::move(fit)),
+                            {options.noise},
+                            NoiseSource::configured,
+                            {}};
   if (options.estimateNoise) {
     for (int round = 0; round < 2; ++round) {
-      answer.fromRepeats = estimateMeasurementNoise(measurements, model, answer.fit, options, answer.levels.noise);
+      answer.source = estimateMeasurementNoise(measurements, model, answer.fit, options, answer.levels.noise);
       answer.fit = fitFurther(measurements, model, options, answer.levels.noise, std::move(answer.fit));
     }
   }
-  const std::optional<RepeatInfo> repeats =
-      answer.fromRepeats ? std::optional{countRepeatedRests(measurements)} : std::nullopt;
+  const std::optional<RepeatInfo> repeats = answer.source != NoiseSource::configured
+                                                ? std::optional{countRepeatedRests(measurements, answer.source)}
+                                                : std::nullopt;
   if (options.testMissingEffects) {
     answer.explained = analyseMissingEffects(measurements, model, answer.fit, answer.levels.noise, repeats, options);
     answer.levels = answer.explained->levels;
@@ -134,9 +145,11 @@ CalibrationResult calibrate(const Measurements& measurements, const Model& model
   }
   const Model& believed = wider ? *wider : model;
   CalibrationResult result = estimateUncertainty(used, believed, answer.fit, answer.levels);
-  result.noiseSource = answer.fromRepeats ? "repeats" : "configured";
+  result.noiseSource = answer.source == NoiseSource::repeats ? "repeats" : "configured";
   result.restartsTried = options.restarts;
   result.outliers = findOutliers(used, result);
+  result.doubtfulReadings = findDoubtfulReadings(
+      Residuals{used, believed, answer.fit.noise, answer.fit.loss}.witnessResiduals(answer.fit.minimum.state));
   if (options.robust && DisplacedBoardCount{used, result.outliers}.areTooMany()) {
     CalibrationOptions all = options;
     all.robust = false;

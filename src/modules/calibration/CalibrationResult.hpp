@@ -85,6 +85,11 @@ struct Outlier {
   double distance = 0;      // rms residual of the outlying corners [px]
 };
 
+/// A reading other than corners that disagrees with the rest. Kept with little or no weight, and always listed.
+struct DoubtfulReading {
+  std::size_t picture = 0, witness = 0;
+};
+
 /// A reason for caution, with advice.
 struct Warning {
   enum class About { fit, offset, floor };
@@ -122,11 +127,13 @@ struct CalibrationResult {
   bool matters = false;                  // the missing effect moves corners by more than `threshold::negligiblePx`
   double sigmaScale = 1;                 // sqrt(`misfit`): scale factor of the standard errors
   double misfit = 1;                     // chi2 / freedom between poses of the model as given, at least 1
+  double misfitFreedom = 0;              // that freedom
   double misfitLeft = 1;                 // the same for the likeliest explanation
   double scatter = 0;                    // decrease of -2 ln likelihood from zero to the estimated pose noise
   std::vector<Explanation> explanations; // by decreasing weight; weights above 0.01
   std::vector<WeakDirection> weak;
   std::vector<Outlier> outliers;
+  std::vector<DoubtfulReading> doubtfulReadings;
   double floorErrorAt2m = 0; // 1-sigma error of a floor point 2 m ahead [m], times `sigmaScale`; 0 without floor boards
   int iterations = 0;
   int restartsTried = 0;

@@ -3,6 +3,7 @@
 #include "effects/Catalogue.hpp"
 #include "estimation/DriverState.hpp"
 #include "estimation/EffectJacobian.hpp"
+#include "inference/Thresholds.hpp"
 #include "math/LinearAlgebra.hpp"
 #include "measurements/Measurements.hpp"
 
@@ -138,8 +139,7 @@ std::vector<EffectiveOffset> effectiveOffsets(const FittedModel& fitted) {
 }
 
 bool isLearned(const EffectiveOffset& offset) {
-  constexpr double hardly = 0.5;
-  return offset.learned >= hardly;
+  return offset.learned >= threshold::learned;
 }
 
 } // namespace naocal

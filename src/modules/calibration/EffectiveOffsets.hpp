@@ -36,7 +36,7 @@ struct JointCompensation {
 std::vector<JointCompensation> jointCompensations(const Measurements& measurements, const Model& model,
                                                   const Eigen::VectorXd& unknowns, const Eigen::VectorXd& posture);
 
-/// Whether the captures determine the offset (learned >= 0.5). If not, the robot should keep its present value.
+/// Whether the captures determine the offset (`threshold::learned`). If not, the robot should keep its present value.
 bool isLearned(const EffectiveOffset& offset);
 
 } // namespace naocal

@@ -71,15 +71,8 @@ struct Quantile {
 };
 constexpr Quantile medianCorner{0.5, 1.17741}, farCorner{0.9, 2.14597};
 
-/// Noise per axis [px] at which `quantile.share` of all corners lies within the observed quantile.
-double spreadOf(const std::vector<BoardResidual>& observations, const Quantile& quantile) {
-  std::vector<double> distances;
-  for (const BoardResidual& observation : observations) {
-    for (Eigen::Index i = 0; i < observation.weight.size(); ++i) {
-      const double distance = observation.residual.col(i).norm();
-      distances.push_back(std::isfinite(distance) ? distance : std::numeric_limits<double>::infinity());
-    }
-  }
+/// Noise per axis [px] at which `quantile.share` of all distances lies within the observed quantile; 0 without any.
+double spreadOf(std::vector<double> distances, const Quantile& quantile) {
   if (distances.empty()) {
     return 0;
   }
@@ -89,9 +82,25 @@ double spreadOf(const std::vector<BoardResidual>& observations, const Quantile& 
   return *there / quantile.distance;
 }
 
-double lossScale(const std::vector<BoardResidual>& observations, double pixelNoise) {
+double spreadOf(const std::vector<BoardResidual>& observations, const Quantile& quantile) {
+  std::vector<double> distances;
+  for (const BoardResidual& observation : observations) {
+    for (Eigen::Index i = 0; i < observation.weight.size(); ++i) {
+      const double distance = observation.residual.col(i).norm();
+      distances.push_back(std::isfinite(distance) ? distance : std::numeric_limits<double>::infinity());
+    }
+  }
+  return spreadOf(std::move(distances), quantile);
+}
+
+/// Scale of the loss: so wide that a missing effect turns no kind of measurement into outliers.
+double lossScale(const Residuals& residuals, const Residuals::State& state, double pixelNoise) {
   constexpr double harmless = 0.3; // [px]: scatter of corners of printed boards; lower bound of the loss scale
-  return std::max({1.0, spreadOf(observations, medianCorner) / pixelNoise, harmless / pixelNoise});
+  const Measurements& measurements = residuals.measurements();
+  const double readings =
+      spreadOf(scaledDistances(measurements, residuals.witnessResiduals(state), residuals.noise()), medianCorner);
+  return std::max({1.0, spreadOf(residuals.boardResiduals(state), medianCorner) / pixelNoise, readings / pixelNoise,
+                   measurements.cornerCount > 0 ? harmless / pixelNoise : 0.0});
 }
 
 /// Misfit variance per axis [px^2] beyond the noise floor, joint angles as read, from the 90 % quantile of the
@@ -214,7 +223,7 @@ Fit fitForComparison(const Measurements& measurements, const Model& model, const
 Fit fitRobustly(const Measurements& measurements, const Model& model, const Noise& noise, Fit from) {
   for (int round = 0; round < 6; ++round) {
     const Residuals here{measurements, model, from.noise, from.loss};
-    const double scale = lossScale(here.boardResiduals(from.minimum.state), noise.pixel);
+    const double scale = lossScale(here, from.minimum.state, noise.pixel);
     if (round > 0 && std::abs(scale - from.loss.scale) < 0.02 * scale) {
       break;
     }

@@ -1,6 +1,7 @@
 #include "calibration/ModelUncertainty.hpp"
 
 #include "calibration/Uncertainty.hpp"
+#include "estimation/CandidateTerms.hpp"
 #include "estimation/Model.hpp"
 #include "estimation/ModelBuilder.hpp"
 #include "inference/DriverBasis.hpp"
@@ -152,7 +153,8 @@ public:
       return {noise, {}};
     }
     const WideModel wide{measurements_, own, putInFront(effects, candidates_), pointOf(fit), false};
-    return estimateNoiseLevels(wide.problem(), noise, *repeats_);
+    return estimateNoiseLevels(wide.problem(), noise, *repeats_,
+                               [&](const Noise& level) { return findLeastCost(wide, level); });
   }
   /// Fit accurate enough to linearise at.
   Fit refineNearly(const Model& model, const Noise& noise, Fit from) const {

@@ -31,6 +31,38 @@ std::vector<Outlier> findOutliers(const Measurements& measurements, const Calibr
   return all;
 }
 
+std::vector<DoubtfulReading> findDoubtfulReadings(const std::vector<WitnessResidual>& residuals) {
+  std::vector<DoubtfulReading> all;
+  for (const WitnessResidual& one : residuals) {
+    if (one.weight < outlierWeight) {
+      all.push_back({one.picture, one.witness});
+    }
+  }
+  return all;
+}
+
+Measurements withoutDoubtfulReadings(const Measurements& measurements, const Model& model, const Fit& fit) {
+  constexpr double most = 0.1; // share
+  const Residuals residuals{measurements, model, fit.noise, fit.loss};
+  std::vector<DoubtfulReading> doubtful = findDoubtfulReadings(residuals.witnessResiduals(fit.minimum.state));
+  Measurements kept = measurements;
+  if (static_cast<double>(doubtful.size()) > most * static_cast<double>(measurements.witnessCount)) {
+    return kept;
+  }
+  std::reverse(doubtful.begin(), doubtful.end()); // so that removals do not shift those to come
+  for (const DoubtfulReading& one : doubtful) {
+    auto& witnesses = kept.pictures[one.picture].witnesses;
+    witnesses.erase(witnesses.begin() + static_cast<std::ptrdiff_t>(one.witness));
+    --kept.witnessCount;
+  }
+  return kept;
+}
+
+void excludeReadings(Measurements& measurements, std::size_t picture) {
+  measurements.witnessCount -= std::erase_if(measurements.pictures[picture].witnesses,
+                                             [](const WitnessObservation& one) { return one.view.has_value(); });
+}
+
 DisplacedBoardCount::DisplacedBoardCount(const Measurements& measurements, const std::vector<Outlier>& outliers) {
   for (const ImageObservation& picture : measurements.pictures) {
     all += picture.observations.size();

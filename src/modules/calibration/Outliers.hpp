@@ -11,6 +11,16 @@ namespace naocal {
 /// Lists corners downweighted by the loss, and observations that lost most of their corners that way.
 std::vector<Outlier> findOutliers(const Measurements& measurements, const CalibrationResult& result);
 
+/// Lists readings downweighted by the loss.
+std::vector<DoubtfulReading> findDoubtfulReadings(const std::vector<WitnessResidual>& residuals);
+
+/// The measurements without the readings that the fit's loss downweights, unless these are more than 10 %: then the
+/// model is wrong and must keep them.
+Measurements withoutDoubtfulReadings(const Measurements& measurements, const Model& model, const Fit& fit);
+
+/// Removes a picture's readings from the measurements.
+void excludeReadings(Measurements& measurements, std::size_t picture);
+
 /// Number of displaced boards among all observations.
 struct DisplacedBoardCount {
   std::size_t moved = 0, all = 0;

@@ -96,15 +96,11 @@ SixNumbers toReference(const RigidTransform& reference, const SixNumbers& p) {
   return isIdentity(reference) ? p : placementFromTransform(reference.inverse() * transformFromPlacement(p));
 }
 
-SixNumbers toNumbers(const Placement& p) {
-  return (SixNumbers{} << p.x, p.y, p.z, p.roll, p.pitch, p.yaw).finished();
-}
-
 /// Shift and turn of a camera beside the robot against its mount, for a placement in the axes that its set names.
 SixNumbers mountNumbers(const Measurements& measurements, std::size_t camera, const Placement& placement) {
   const CameraMount& mount = measurements.robot.cameras[camera];
   const bool isOptical = measurements.sets->front().mountings.at(mount.name).isOptical;
-  RigidTransform worldFromCamera = transformFromPlacement(toNumbers(placement));
+  RigidTransform worldFromCamera = transformFromPlacement(placement.numbers());
   if (isOptical) {
     worldFromCamera.rotation *= Eigen::Matrix3d{{0, -1, 0}, {0, 0, -1}, {1, 0, 0}};
   }
@@ -127,7 +123,7 @@ std::optional<Eigen::VectorXd> storedNumbers(const StoredPlacements& stored, con
   const auto placed = [&](const std::map<std::string, Placement>& list,
                           const RigidTransform& reference) -> std::optional<Eigen::VectorXd> {
     const Placement* const entry = find(list, term.placeName);
-    return entry ? std::optional<Eigen::VectorXd>{toReference(reference, toNumbers(*entry))} : std::nullopt;
+    return entry ? std::optional<Eigen::VectorXd>{toReference(reference, entry->numbers())} : std::nullopt;
   };
   switch (term.effect.placeKind) {
   case PlaceKind::board:

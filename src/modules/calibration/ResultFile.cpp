@@ -32,7 +32,7 @@ json pointsJson(const Eigen::Matrix2Xd& points) {
   return list;
 }
 
-/// Outliers: set, capture, board, corners and distance [px].
+/// Outliers: set, capture, board, corners and distance [px]; set, capture and what was measured of other readings.
 json outliersJson(const Measurements& measurements, const CalibrationResult& result) {
   json list = json::array();
   for (const Outlier& outlier : result.outliers) {
@@ -44,6 +44,12 @@ json outliersJson(const Measurements& measurements, const CalibrationResult& res
                     {"corners", outlier.corners},
                     {"whole", outlier.whole},
                     {"distancePx", outlier.distance}});
+  }
+  for (const DoubtfulReading& reading : result.doubtfulReadings) {
+    const ImageObservation& picture = measurements.pictures[reading.picture];
+    list.push_back({{"set", measurements.setOf(picture).name},
+                    {"capture", measurements.captureOf(picture).id},
+                    {"reading", picture.witnesses[reading.witness].witness->target()}});
   }
   return list;
 }

@@ -272,6 +272,7 @@ CalibrationResult estimateUncertainty(const Measurements& measurements, const Mo
   const std::vector<PoseRows> rows = residuals.rows(fit.minimum.state).value(); // at the fit's linearisation point
   const PoseMisfit misfit = testPoseMisfit({rows, none, result.unknowns, sigmas, 0}, fit.noise);
   result.misfit = std::max({1.0, misfit.chi2 / misfit.freedom, result.chi2 / std::max(1.0, result.dof)});
+  result.misfitFreedom = misfit.freedom;
   result.sigmaScale = std::sqrt(result.misfit);
   result.covariance *= result.misfit;
   measureDistances(residuals, fit, result);

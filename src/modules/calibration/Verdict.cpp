@@ -18,13 +18,18 @@ namespace naocal {
 
 namespace {
 
-/// The placement that an offset is most correlated with.
+/// Whether a term can do what an offset does: an unknown placement, or the drawing's step to a joint.
+bool canImitate(const Term& term) {
+  return term.isPlacement || term.effect.name == effectName::linkGeometry;
+}
+
+/// The imitator that an offset is most correlated with.
 const Term* findImitator(const Model& model, const CalibrationResult& result, const Term& offset) {
   const auto own = static_cast<Eigen::Index>(offset.first);
   const Term* best = nullptr;
   double most = 0;
   for (const Term& term : model.terms()) {
-    for (std::size_t i = 0; i < term.effect.unknowns.size() && term.isPlacement; ++i) {
+    for (std::size_t i = 0; i < term.effect.unknowns.size() && canImitate(term); ++i) {
       const auto other = static_cast<Eigen::Index>(term.first + i);
       const double share = std::abs(result.covariance(own, other)) / std::sqrt(result.covariance(other, other));
       if (share > most) {
@@ -36,41 +41,55 @@ const Term* findImitator(const Model& model, const CalibrationResult& result, co
   return best;
 }
 
-/// Whether an offset of a robot with a URDF is not determined only because unknown placements do what it does: with the
-/// placements known it would be.
+/// Whether an offset of a robot with a URDF is not determined only because unknown placements or the drawing's steps do
+/// what it does: with these known it would be.
 bool isHeld(const Measurements& measurements, const Model& model, const CalibrationResult& result, const Term& offset) {
-  constexpr double untold = 0.5;
   if (!measurements.quantities.scene().hasLinkSteps || offset.effect.name != effectName::jointOffset ||
-      result.estimates[offset.first].learned >= untold) {
+      result.estimates[offset.first].learned >= threshold::learned) {
     return false;
   }
-  std::vector<Eigen::Index> placements;
+  std::vector<Eigen::Index> imitators;
   for (const Term& term : model.terms()) {
-    for (std::size_t i = 0; i < term.effect.unknowns.size() && term.isPlacement; ++i) {
-      placements.push_back(static_cast<Eigen::Index>(term.first + i));
+    for (std::size_t i = 0; i < term.effect.unknowns.size() && canImitate(term); ++i) {
+      imitators.push_back(static_cast<Eigen::Index>(term.first + i));
     }
   }
   const auto own = static_cast<Eigen::Index>(offset.first);
   const Eigen::MatrixXd& covariance = result.covariance;
-  const Eigen::VectorXd scales = covariance.diagonal()(placements).cwiseSqrt();
+  const Eigen::VectorXd scales = covariance.diagonal()(imitators).cwiseSqrt();
   const Eigen::MatrixXd among =
-      scales.cwiseInverse().asDiagonal() * covariance(placements, placements) * scales.cwiseInverse().asDiagonal();
-  const Eigen::VectorXd with = covariance.col(own)(placements).cwiseQuotient(scales);
+      scales.cwiseInverse().asDiagonal() * covariance(imitators, imitators) * scales.cwiseInverse().asDiagonal();
+  const Eigen::VectorXd with = covariance.col(own)(imitators).cwiseQuotient(scales);
   const double left = covariance(own, own) - with.dot(among.completeOrthogonalDecomposition().solve(with));
-  return std::sqrt(std::max(0.0, left)) < untold * offset.effect.unknowns.front().sigma;
+  return std::sqrt(std::max(0.0, left)) < (1 - threshold::learned) * offset.effect.unknowns.front().sigma;
+}
+
+/// Offsets that another term imitates: first unknown -> that term.
+using HeldOffsets = std::map<std::size_t, const Term*>;
+
+HeldOffsets findHeldOffsets(const Measurements& measurements, const Model& model, const CalibrationResult& result) {
+  HeldOffsets held;
+  for (const Term& term : model.terms()) {
+    if (isHeld(measurements, model, result, term)) {
+      if (const Term* const imitator = findImitator(model, result, term)) {
+        held.emplace(term.first, imitator);
+      }
+    }
+  }
+  return held;
 }
 
 /// Whether the model explains the captures, and if not, whether the offsets remain reliable.
-ResultVerdict judgeExplained(const Measurements& measurements, const Model& model, const CalibrationResult& result,
+ResultVerdict judgeExplained(const Model& model, const CalibrationResult& result, const HeldOffsets& held,
                              bool missing) {
   constexpr double widest = radians(0.5); // [rad]: limit of half an offset's 95 % interval
-  const bool fits = result.misfitLeft < threshold::misfit || result.rmsPx < result.noiseFloorPx;
+  const bool fits = result.misfitLeft < threshold::mostMisfit(result.misfitFreedom) || result.rmsPx < result.noiseFloorPx;
   if (!missing && fits && result.noise.pose < suspectScatter) {
     return ResultVerdict::good;
   }
   bool holds = result.misfitLeft < threshold::bearableMisfit;
   for (const Term& term : model.terms()) {
-    if (term.effect.name == effectName::jointOffset && term.requested && !isHeld(measurements, model, result, term)) {
+    if (term.effect.name == effectName::jointOffset && term.requested && !held.contains(term.first)) {
       const auto [low, high] = result.estimates[term.first].interval();
       holds = holds && high - low < 2 * widest;
     }
@@ -118,20 +137,12 @@ void warn(About about, std::string sentence, CalibrationResult& result) {
   result.warnings.push_back({about, std::move(sentence)});
 }
 
-/// Warns of offsets that the captures do not determine; such a result is unusable, unless an unknown placement does
-/// what the offset would do: that one is held at zero. Returns the warnings
-/// of these.
-std::vector<Warning> checkOffsets(const Measurements& measurements, const Model& model, CalibrationResult& result) {
-  std::vector<Warning> held;
+/// Warns of offsets that the captures do not determine; such a result is unusable.
+void checkOffsets(const Model& model, const HeldOffsets& held, CalibrationResult& result) {
   for (const Term& term : model.terms()) {
     const Estimate& estimate = result.estimates[term.first];
-    if (const auto imitator = isHeld(measurements, model, result, term) ? findImitator(model, result, term) : nullptr) {
-      held.push_back(
-          {About::offset, fmt::format("{} cannot be told from {} and is held at zero (±{})", describeUnknown(term, 0),
-                                      describePlacement(*imitator), formatSigma(term, estimate.sigma))});
-      continue;
-    }
-    if (term.effect.name == effectName::jointOffset && term.requested && estimate.learned < 0.5) {
+    if (term.effect.name == effectName::jointOffset && term.requested && !held.contains(term.first) &&
+        estimate.learned < threshold::learned) {
       result.usable = false;
       warn(About::offset,
            fmt::format("{} cannot be learned from these captures ({:.0f} % learned, ±{}): "
@@ -142,7 +153,18 @@ std::vector<Warning> checkOffsets(const Measurements& measurements, const Model&
            result);
     }
   }
-  return held;
+}
+
+/// Warns of offsets that other terms imitate. The result stays usable: they are held at zero.
+void warnOfHeldOffsets(const Model& model, const HeldOffsets& held, CalibrationResult& result) {
+  for (const Term& term : model.terms()) {
+    if (const auto found = held.find(term.first); found != held.end()) {
+      warn(About::offset,
+           fmt::format("{} cannot be told from {} and is held at zero (±{})", describeUnknown(term, 0),
+                       describeImitator(*found->second), formatSigma(term, result.estimates[term.first].sigma)),
+           result);
+    }
+  }
 }
 
 /// Warns of a large floor error; such a result is unusable.
@@ -162,6 +184,12 @@ void warnOfOutliers(CalibrationResult& result) {
   std::size_t corners = 0;
   for (const Outlier& outlier : result.outliers) {
     corners += outlier.corners.size();
+  }
+  if (const std::size_t readings = result.doubtfulReadings.size(); readings > 0) {
+    warn(About::fit,
+         fmt::format("{} not fit the rest and got little or no weight: listed under doubtful",
+                     readings == 1 ? std::string{"1 reading does"} : fmt::format("{} readings do", readings)),
+         result);
   }
   if (corners > 0) {
     warn(About::fit,
@@ -212,18 +240,19 @@ void judgeResult(const Measurements& measurements, const Model& model, Calibrati
     warn(About::fit, "the search did not converge: try --restarts 20, and check the robot's model and the boards",
          result);
   }
-  const std::vector<Warning> held = checkOffsets(measurements, model, result);
+  const HeldOffsets held = findHeldOffsets(measurements, model, result);
+  checkOffsets(model, held, result);
   checkFloorError(result);
   const bool missing = result.pValue <= threshold::alarm && result.matters;
   const DisplacedBoardCount displaced{measurements, result.outliers};
   // reports a missing effect first: it implies that the offsets are uncertain
   const std::string firm =
       result.usable || (missing && result.converged) ? std::string{} : result.warnings.front().sentence;
-  result.verdict = result.usable ? judgeExplained(measurements, model, result, missing || displaced.areMany())
-                                 : ResultVerdict::doNotUse;
+  result.verdict =
+      result.usable ? judgeExplained(model, result, held, missing || displaced.areMany()) : ResultVerdict::doNotUse;
   result.usable = result.verdict != ResultVerdict::doNotUse;
   result.sentence = formatVerdict(result, displaced, formatCause(result, missing), firm);
-  result.warnings.insert(result.warnings.end(), held.begin(), held.end());
+  warnOfHeldOffsets(model, held, result);
   warnOfOutliers(result);
 }
 

@@ -82,7 +82,7 @@ std::string describeUnknown(const Term& term, std::size_t unknown) {
   return fmt::format("{}'s {}{}", joint(term.placeName), splitCamelCase(term.effect.name), which);
 }
 
-std::string describePlacement(const Term& term) {
+std::string describeImitator(const Term& term) {
   switch (term.effect.placeKind) {
   case PlaceKind::board:
     return fmt::format("where board {} is", term.placeName);
@@ -96,6 +96,9 @@ std::string describePlacement(const Term& term) {
     return fmt::format("how frame {} is mounted", term.placeName);
   case PlaceKind::place:
     return fmt::format("where the places ({} and others) are", term.placeName);
+  case PlaceKind::motor:
+  case PlaceKind::joint:
+    return fmt::format("how the {} is mounted on the link before it ({})", term.placeName, term.label());
   default:
     return fmt::format("where the robot stands in stance {}", term.placeName);
   }

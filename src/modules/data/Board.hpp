@@ -13,6 +13,11 @@ namespace naocal {
 struct Placement {
   double x = 0, y = 0, z = 0;          // [m]
   double roll = 0, pitch = 0, yaw = 0; // [rad]
+
+  /// (x, y, z, roll, pitch, yaw), as `transformFromPlacement` and the state take it.
+  Eigen::Matrix<double, 6, 1> numbers() const {
+    return (Eigen::Matrix<double, 6, 1>{} << x, y, z, roll, pitch, yaw).finished();
+  }
 };
 
 /// The printed pattern of a ChArUco board.

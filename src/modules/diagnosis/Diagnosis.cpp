@@ -8,6 +8,7 @@
 #include "diagnosis/SetUps.hpp"
 #include "diagnosis/StepwiseSelection.hpp"
 #include "diagnosis/views/DriverCurves.hpp"
+#include "estimation/CandidateTerms.hpp"
 #include "estimation/ModelBuilder.hpp"
 #include "inference/Thresholds.hpp"
 #include "io/InputError.hpp"
@@ -58,35 +59,40 @@ std::optional<ImageField> noteworthyField(const std::optional<ImageField>& field
   return field && field->fit.bayes < threshold::fieldRemainder * most ? std::nullopt : field;
 }
 
-/// `missing`: a named effect explains the misfit. `unknown`: only an unnamed curve does.
-/// `unknownSteps`: the encoders' noise is part of the scatter.
-Verdict verdictOf(const Diagnosis& diagnosis, double misfitLeft, bool missing, bool unknown, bool unknownSteps) {
+/// Whether the captures tell joint scatter from the noise of encoders and readings: not an encoder's of unknown step,
+/// nor where readings of unknown noise are never repeated.
+bool tellScatter(const Measurements& measurements, double scatter) {
   constexpr double encoderScatter = radians(0.02); // of an encoder whose step is not known
+  const bool readsUnknown =
+      !measurements.hasRepeats && std::any_of(measurements.levels.begin(), measurements.levels.end(),
+                                              [](const ReadingLevel& level) { return !level.isGiven; });
+  return !readsUnknown && (!measurements.hasUnknownSteps() || scatter >= encoderScatter);
+}
+
+/// What remained of the misfit: a named effect explains it, or only an unnamed curve does.
+struct Remainder {
+  bool missing = false, unknown = false;
+};
+
+Verdict verdictOf(const Diagnosis& diagnosis, const CalibrationResult& last, const Remainder& remainder,
+                  const Measurements& measurements) {
   if (!diagnosis.anomalies.empty()) {
     return Verdict::badCaptures;
   }
-  if (unknown) {
+  if (remainder.unknown) {
     return Verdict::unknownEffect;
   }
-  if (missing) {
+  if (remainder.missing) {
     return Verdict::effectMissing;
   }
   // sharp corners share errors below the noise floor: lens distortion that the model lacks, detector bias
   const bool matters = diagnosis.rmsPx > diagnosis.lackOfFit.noiseFloorPx;
-  if (diagnosis.unexplained || (misfitLeft > threshold::misfit && matters)) {
+  if (diagnosis.unexplained || (last.misfit > threshold::mostMisfit(last.misfitFreedom) && matters)) {
     return Verdict::inconclusive;
   }
-  const bool isExpected = unknownSteps && diagnosis.scatter < encoderScatter;
-  return diagnosis.fit.scatter > threshold::scatterRatio && !isExpected ? Verdict::scatter : Verdict::adequate;
-}
-
-/// Whether a joint of a robot with a URDF has an encoder whose step its set does not tell.
-bool hasUnknownSteps(const Measurements& measurements) {
-  const CaptureSet& set = measurements.sets->front();
-  return !set.urdf.empty() &&
-         std::any_of(measurements.joints.begin(), measurements.joints.end(), [&](std::size_t joint) {
-           return !set.encoderSteps.contains(measurements.robot.joints[joint].name);
-         });
+  return diagnosis.fit.scatter > threshold::scatterRatio && tellScatter(measurements, diagnosis.scatter)
+             ? Verdict::scatter
+             : Verdict::adequate;
 }
 
 /// Millimetres of a point measured in three axes, for sets without pictures: of the level with the most readings.
@@ -231,8 +237,7 @@ private:
     result_.unit = errorUnitOf(measurements_, selection_.fit().noise);
     const std::vector<DataAnomaly> slipped = findSlippedCounts({measurements_, asked_, result_.fit});
     result_.anomalies.insert(result_.anomalies.begin(), slipped.begin(), slipped.end());
-    result_.verdict =
-        verdictOf(result_, selection_.fit().misfit, missing, last_.unknown(), hasUnknownSteps(measurements_));
+    result_.verdict = verdictOf(result_, selection_.fit(), {missing, last_.unknown()}, measurements_);
     result_.with = selection_.added();
   }
 
@@ -276,7 +281,7 @@ bool isSpoiled(const DataAnomaly& suspicion) {
   return suspicion.capture && suspicion.odds;
 }
 
-/// Removes the corners of these captures.
+/// Removes the corners and readings of these captures.
 Measurements excludeSuspicious(const std::vector<DataAnomaly>& suspicious, Measurements measurements) {
   for (std::size_t index = 0; index < measurements.pictures.size(); ++index) {
     const ImageObservation& picture = measurements.pictures[index];
@@ -286,6 +291,9 @@ Measurements excludeSuspicious(const std::vector<DataAnomaly>& suspicious, Measu
     });
     for (std::size_t observation = 0; spoiled && observation < picture.observations.size(); ++observation) {
       excludeObservation(measurements, {index, observation});
+    }
+    if (spoiled) {
+      excludeReadings(measurements, index);
     }
   }
   return measurements;

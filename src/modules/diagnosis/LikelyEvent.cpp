@@ -20,19 +20,48 @@ namespace naocal {
 
 namespace {
 
-/// Noise levels to try: the given one and, with few poses, lower ones, since a single bad pose inflates the scatter of
-/// all.
-std::vector<Noise> lowerLevels(const Noise& noise, std::size_t poses) {
+/// Noise levels to try: those of the fit and, with few poses, lower scatter, since a single bad pose inflates the
+/// scatter of all. Where the noise of readings was estimated, lower levels of all noise: what moved inflates it.
+std::vector<Noise> lowerLevels(const Noise& noise, const Measurements& measurements) {
   constexpr std::size_t few = 128; // above, one at ten times their scatter still stands out by seven
   std::vector<Noise> result{noise};
-  if (noise.pose + noise.reapproach > 0 && poses < few) {
+  const auto add = [&](double ofScatter, double ofReadings) {
+    Noise& less = result.emplace_back(noise);
+    less.pose *= ofScatter;
+    less.reapproach *= ofScatter;
+    less.pixel *= ofReadings; // all sums are in its units
+  };
+  if (noise.pose + noise.reapproach > 0 && measurements.poses.size() < few) {
     for (const double part : {0.0, 0.25, 0.5}) {
-      Noise& less = result.emplace_back(noise);
-      less.pose *= part;
-      less.reapproach *= part;
+      add(part, 1);
+    }
+    if (measurements.quantities.scene().hasLinkSteps) { // what moved for long inflates it more than one bad pose
+      add(0.1, 1);
+    }
+  }
+  const bool isEstimated = std::any_of(measurements.levels.begin(), measurements.levels.end(),
+                                       [](const ReadingLevel& level) { return !level.isGiven; });
+  if (measurements.cornerCount == 0 && isEstimated) {
+    for (const double part : {1.0 / 32, 1.0 / 16, 1.0 / 8, 0.25, 0.5}) {
+      add(part, part);
     }
   }
   return result;
+}
+
+/// What `NullModel::Outcome::deviance` leaves out as the same at all levels, where the noise of the sums' unit differs:
+/// rows ln pixel^2 + squares / pixel^2, relative to the first level.
+double pixelDeviance(const std::vector<PoseRows>& poses, const Noise& level, const Noise& first) {
+  if (level.pixel == first.pixel) {
+    return 0;
+  }
+  double squares = 0, rows = 0;
+  for (const PoseRows& pose : poses) {
+    squares += pose.squares;
+    rows += pose.numbers;
+  }
+  return squares * (1 / (level.pixel * level.pixel) - 1 / (first.pixel * first.pixel)) +
+         2 * rows * std::log(level.pixel / first.pixel);
 }
 
 /// Best Bayes factor of each group over the noise levels, relative to the model at the first level, whose evidence is
@@ -50,7 +79,7 @@ std::vector<double> findBestAtAnyLevel(const CandidateTests& candidateTests, con
   }
   const double first = levels.size() > 1 ? devianceAt(levels.front()) : 0;
   for (std::size_t level = 1; level < levels.size(); ++level) {
-    const double deviance = devianceAt(levels[level]);
+    const double deviance = devianceAt(levels[level]) + pixelDeviance(*problem.poses, levels[level], levels.front());
     const Evidence evidence = computeEvidence(problem, levels[level]);
     for (std::size_t i = 0; i < result.size(); ++i) {
       result[i] = std::max(result[i], evidence.groups[i].bayes - (deviance - first));
@@ -225,24 +254,30 @@ std::optional<CalibrationResult> calibrateWithAllCorners(const FittedModel& fitt
   }
 }
 
-/// Evidence per capture that makes a displacement of a camera, tracker or board a knock: 3 sigma in each.
+/// Evidence per pose that makes a displacement of a camera, tracker or board a knock: 3 sigma in each.
 constexpr double noticed = 9;
 
-std::size_t capturesAfter(const TransientEvent& event, const FittedModel& fitted) {
-  const auto& pictures = fitted.measurements.pictures;
-  return static_cast<std::size_t>(std::count_if(pictures.begin(), pictures.end(), [&](const ImageObservation& picture) {
+std::size_t posesAfter(const TransientEvent& event, const Measurements& measurements) {
+  const auto isLater = [&](std::size_t index) {
+    const ImageObservation& picture = measurements.pictures[index];
     return picture.set == event.set && picture.instant.time.count() > event.from->time;
-  }));
+  };
+  return static_cast<std::size_t>(
+      std::count_if(measurements.poses.begin(), measurements.poses.end(), [&](const PoseGroup& pose) {
+        return std::any_of(pose.readings.begin(), pose.readings.end(), [&](const EncoderSample& reading) {
+          return std::any_of(reading.pictures.begin(), reading.pictures.end(), isLater);
+        });
+      }));
 }
 
 std::optional<LikelyEvent> findLikeliestAt(const FittedModel& fitted, const CandidateTests& candidateTests) {
   std::vector<TransientEvent> events = enumerateEvents(fitted.measurements, fitted.fit);
-  const std::vector<TransientEvent> angles = enumerateWrongAngles(fitted.measurements, fitted.fit);
+  const std::vector<TransientEvent> angles = enumerateWrongAngles(fitted);
   events.insert(events.end(), angles.begin(), angles.end());
   if (events.empty()) {
     return std::nullopt;
   }
-  const std::vector<Noise> levels = lowerLevels(candidateTests.noise(), candidateTests.poses().size());
+  const std::vector<Noise> levels = lowerLevels(candidateTests.noise(), fitted.measurements);
   const Rivals rivals = findRivals(candidateTests, levels);
   const Asked coarse = askEvents(std::move(events), fitted, levels);
   constexpr double within = 0.5; // of what the rivals explain, where the best moments are not among the first few
@@ -259,7 +294,8 @@ std::optional<LikelyEvent> findLikeliestAt(const FittedModel& fitted, const Cand
     return std::nullopt;
   }
   const Tried& best = tried.front();
-  if (isMoveAnyhow(best.event) && best.bayes < noticed * static_cast<double>(capturesAfter(best.event, fitted))) {
+  if (isMoveAnyhow(best.event) &&
+      best.bayes < noticed * static_cast<double>(posesAfter(best.event, fitted.measurements))) {
     return std::nullopt; // rather a sum of small effects that varies with time
   }
   const TransientEvent event = best.event.from ? widenEvent(best.event, fine) : best.event;
@@ -271,7 +307,8 @@ std::optional<LikelyEvent> findLikeliestAt(const FittedModel& fitted, const Cand
 } // namespace
 
 std::optional<LikelyEvent> findLikeliestEvent(const FittedModel& fitted, const CandidateTests& candidateTests) {
-  if (std::none_of(fitted.fit.outliers.begin(), fitted.fit.outliers.end(), std::mem_fn(&Outlier::whole))) {
+  if (fitted.fit.doubtfulReadings.empty() &&
+      std::none_of(fitted.fit.outliers.begin(), fitted.fit.outliers.end(), std::mem_fn(&Outlier::whole))) {
     return findLikeliestAt(fitted, candidateTests);
   }
   const std::optional<CalibrationResult> all = calibrateWithAllCorners(fitted);

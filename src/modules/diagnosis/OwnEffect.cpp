@@ -2,6 +2,7 @@
 
 #include "diagnosis/evidence/CrossValidation.hpp"
 #include "effects/UserEffect.hpp"
+#include "estimation/CandidateTerms.hpp"
 #include "estimation/ModelBuilder.hpp"
 
 #include <algorithm>

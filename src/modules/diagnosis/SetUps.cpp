@@ -268,7 +268,6 @@ void mendSetUps(std::vector<std::string>& with, const Robot& robot, std::vector<
 }
 
 std::vector<DataAnomaly> findSlippedCounts(const FittedModel& fitted) {
-  constexpr double wellLearned = 0.5; // share of the prior's sigma that the captures must have told
   std::vector<DataAnomaly> result;
   for (const Term& term : fitted.model.terms()) {
     const double step = slipStepOf(*fitted.measurements.sets, term.placeName);
@@ -277,7 +276,7 @@ std::vector<DataAnomaly> findSlippedCounts(const FittedModel& fitted) {
     }
     const Estimate& offset = fitted.fit.estimates[term.first];
     const long turns = std::lround(offset.value / step);
-    if (turns != 0 && offset.learned > wellLearned) {
+    if (turns != 0 && offset.learned > threshold::learned) {
       result.push_back(
           {.why = fmt::format("{}'s zero is off by {:.1f}°, about {} turn{} of its motor ({:.1f}° each): the "
                               "count slipped",

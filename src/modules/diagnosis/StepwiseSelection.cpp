@@ -5,6 +5,7 @@
 #include "diagnosis/SetUps.hpp"
 #include "diagnosis/evidence/Aliasing.hpp"
 #include "diagnosis/evidence/Power.hpp"
+#include "estimation/CandidateTerms.hpp"
 #include "estimation/Model.hpp"
 #include "estimation/ModelBuilder.hpp"
 #include "inference/Prequential.hpp"

@@ -1,5 +1,6 @@
 #include "diagnosis/WrongAngles.hpp"
 
+#include "calibration/ReadingErrors.hpp"
 #include "measurements/Measurements.hpp"
 
 #include <algorithm>
@@ -22,17 +23,18 @@ struct Together {
   std::string pose;
   std::set<double> times;
   std::vector<int> captures; // ids
-  double squares = 0;        // sum over pictures of the corners' mean error squared, times the number of corners [px^2]
-  double corners = 0;
+  double squares = 0; // sum over pictures of the corners' mean error squared, times the number of corners [px^2],
+                      // and of readings' squares in these units
+  double counted = 0; // corners, or readings
 
-  double error() const { return corners > 0 ? squares / corners : 0; }
+  double error() const { return counted > 0 ? squares / counted : 0; }
   Together& operator+=(const Together& other) {
     set = other.set;
     pose = other.pose;
     times.insert(other.times.begin(), other.times.end());
     captures.insert(captures.end(), other.captures.begin(), other.captures.end());
     squares += other.squares;
-    corners += other.corners;
+    counted += other.counted;
     return *this;
   }
 };
@@ -60,12 +62,28 @@ Effect makeDisplacement(std::size_t set, std::set<double> times) {
   return effect;
 }
 
-Together alone(const ImageObservation& picture, const Capture& capture, const std::vector<const BoardResidual*>& seen) {
+/// Errors by picture: of corners of boards on the floor, and of other readings.
+struct PictureErrors {
+  std::map<std::size_t, std::vector<const BoardResidual*>> boards;
+  std::map<std::size_t, std::vector<double>> readings; // distances as `scaledDistances` [px]
+};
+
+Together alone(const Measurements& measurements, std::size_t index, const PictureErrors& errors) {
+  const ImageObservation& picture = measurements.pictures[index];
+  const Capture& capture = measurements.captureOf(picture);
   Together together{picture.set, capture.pose, {picture.instant.time.count()}, {capture.id}};
-  for (const BoardResidual* observation : seen) {
-    const auto count = static_cast<double>(observation->residual.cols());
-    together.squares += count * observation->residual.rowwise().mean().squaredNorm();
-    together.corners += count;
+  if (const auto seen = errors.boards.find(index); seen != errors.boards.end()) {
+    for (const BoardResidual* observation : seen->second) {
+      const auto count = static_cast<double>(observation->residual.cols());
+      together.squares += count * observation->residual.rowwise().mean().squaredNorm();
+      together.counted += count;
+    }
+  }
+  if (const auto read = errors.readings.find(index); read != errors.readings.end()) {
+    for (const double distance : read->second) {
+      together.squares += distance * distance;
+      together.counted += 1;
+    }
   }
   return together;
 }
@@ -77,16 +95,22 @@ std::vector<Together> selectWorst(std::vector<Together> all, std::size_t most) {
   return all;
 }
 
-/// Corner errors of boards on the floor, per picture.
-using FloorResiduals = std::map<std::size_t, std::vector<const BoardResidual*>>;
-
-FloorResiduals collectFloorResiduals(const Measurements& measurements, const CalibrationResult& fit) {
-  FloorResiduals result;
-  for (const BoardResidual& observation : fit.withReportedAngles) {
+PictureErrors collectErrors(const FittedModel& fitted, const std::vector<BoardResidual>& boards) {
+  const Measurements& measurements = fitted.measurements;
+  PictureErrors result;
+  for (const BoardResidual& observation : boards) {
     const ObservationChain& view =
         measurements.pictures[observation.picture].observations[observation.observation].view;
     if (measurements.targets[view.board()].inWorld) {
-      result[observation.picture].push_back(&observation);
+      result.boards[observation.picture].push_back(&observation);
+    }
+  }
+  if (measurements.witnessCount > 0) {
+    const Residuals residuals{measurements, fitted.model, fitted.fit.noise};
+    for (const WitnessResidual& one : residuals.witnessResiduals(residuals.startState(fitted.fit.unknowns))) {
+      const std::vector<double> distances = scaledDistances(measurements, {one}, fitted.fit.noise);
+      auto& ofPicture = result.readings[one.picture];
+      ofPicture.insert(ofPicture.end(), distances.begin(), distances.end());
     }
   }
   return result;
@@ -97,18 +121,17 @@ struct Groups {
   std::vector<Together> approaches, poses;
 };
 
-Groups groupPictures(const Measurements& measurements, FloorResiduals residuals) {
+Groups groupPictures(const Measurements& measurements, const PictureErrors& errors) {
   Groups result;
   for (const PoseGroup& pose : measurements.poses) {
     std::map<std::vector<std::size_t>, Together> rests; // readings with equal encoder errors belong to one approach
     for (const EncoderSample& reading : pose.readings) {
       for (const std::size_t index : reading.pictures) {
-        const ImageObservation& picture = measurements.pictures[index];
-        rests[reading.encoderError] += alone(picture, measurements.captureOf(picture), residuals[index]);
+        rests[reading.encoderError] += alone(measurements, index, errors);
       }
     }
     Together& whole = result.poses.emplace_back();
-    for (const auto& [errors, rest] : rests) {
+    for (const auto& [encoderErrors, rest] : rests) {
       result.approaches.push_back(rest);
       whole += rest;
     }
@@ -131,13 +154,15 @@ TransientEvent makeWrongAngles(const Together& together, const std::string& caus
 
 } // namespace
 
-std::vector<TransientEvent> enumerateWrongAngles(const Measurements& measurements, const CalibrationResult& fit) {
+std::vector<TransientEvent> enumerateWrongAngles(const FittedModel& fitted) {
   constexpr std::size_t mostApproaches = 6, mostPoses = 3;
-  const Groups groups = groupPictures(measurements, collectFloorResiduals(measurements, fit));
+  const Measurements& measurements = fitted.measurements;
+  const Groups groups = groupPictures(measurements, collectErrors(fitted, fitted.fit.withReportedAngles));
+  const char* const cause = measurements.cornerCount > 0 ? "somebody touched the robot, or its angles are wrong there"
+                                                         : "a bad reading, or its angles are wrong there";
   std::vector<TransientEvent> result;
   for (const Together& approach : selectWorst(groups.approaches, mostApproaches)) {
-    result.push_back(
-        makeWrongAngles(approach, "somebody touched the robot, or its angles are wrong there", measurements));
+    result.push_back(makeWrongAngles(approach, cause, measurements));
   }
   for (const Together& pose : selectWorst(groups.poses, mostPoses)) {
     result.push_back(makeWrongAngles(pose, "somebody touched the robot, or a joint slipped there", measurements));

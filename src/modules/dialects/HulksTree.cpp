@@ -1,9 +1,10 @@
 #include "dialects/HulksTree.hpp"
 
+#include "dialects/MountAngles.hpp"
 #include "dialects/text/Decimals.hpp"
 #include "dialects/text/JsonText.hpp"
-#include "dialects/MountAngles.hpp"
 #include "math/Angles.hpp"
+#include "math/RigidTransform.hpp"
 #include "protocol/JointOrder.hpp"
 
 #include <fmt/format.h>

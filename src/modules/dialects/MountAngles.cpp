@@ -38,8 +38,4 @@ Eigen::Vector3d anglesZyx(const Eigen::Matrix3d& r) {
   return {std::atan2(r(2, 1), r(2, 2)), arcSine(-r(2, 0)), std::atan2(r(1, 0), r(0, 0))};
 }
 
-Eigen::Matrix3d opticalFromCamera() {
-  return (Eigen::Matrix3d{} << 0, -1, 0, 0, 0, -1, 1, 0, 0).finished();
-}
-
 } // namespace naocal

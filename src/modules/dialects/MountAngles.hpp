@@ -17,8 +17,4 @@ Eigen::Vector3d anglesXyz(const Eigen::Matrix3d& rotation);
 Eigen::Vector3d anglesYxz(const Eigen::Matrix3d& rotation);
 Eigen::Vector3d anglesZyx(const Eigen::Matrix3d& rotation);
 
-/// Axes of the optical frame (x right, y down, z forward) from those of the camera (x forward, y left, z up):
-/// vectorInOptical = opticalFromCamera() * vectorInCamera.
-Eigen::Matrix3d opticalFromCamera();
-
 } // namespace naocal

@@ -25,6 +25,7 @@ inline constexpr char placePoint[] = "placePoint";
 inline constexpr char cameraTranslation[] = "cameraTranslation";
 inline constexpr char encoderEccentricity[] = "encoderEccentricity";
 inline constexpr char motorCoupling[] = "motorCoupling";
+inline constexpr char linkGeometry[] = "linkGeometry";
 } // namespace effectName
 
 /// One function per effect of the catalogue; each describes itself in its file in effects/catalogue/.

@@ -138,4 +138,16 @@ ModelState predictState(const Measurements& measurements, const Model& model, co
   return modelState;
 }
 
+std::string labelFor(const std::string& given, const Robot& robot) {
+  const std::size_t split = std::min(given.find('@'), given.size());
+  std::string effect = given.substr(0, split), place = given.substr(split);
+  for (const Effect& known : allEffects()) {
+    effect = !known.alias.empty() && known.alias == effect ? known.name : effect;
+  }
+  if (const auto joint = place.empty() ? std::nullopt : robot.jointIndex(place.substr(1))) {
+    place = '@' + robot.joints[robot.joints[*joint].motor].name;
+  }
+  return effect + place;
+}
+
 } // namespace naocal

@@ -2,9 +2,7 @@
 
 #include "estimation/Model.hpp"
 
-#include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace naocal {
@@ -15,17 +13,6 @@ namespace naocal {
 /// InputError for names that match nothing, listing similar ones, and for effects that these captures cannot drive.
 Model buildModel(const Measurements& measurements, const std::vector<std::string>& with = {},
                  const std::vector<std::string>& without = {}, const std::vector<Effect>& effects = allEffects());
-
-/// Reason why these captures cannot drive an effect at a place, such as "no temperatures were recorded"; absent if they
-/// can.
-std::optional<std::string> untestableReason(const Effect& effect, std::size_t at, const Measurements& measurements);
-
-/// Every effect at every place where it can act in these captures, driven or not.
-std::vector<Term> candidateTerms(const Measurements& measurements, const std::vector<Effect>& effects = allEffects());
-
-/// Candidate terms that these captures can drive and the model lacks.
-std::vector<Term> testableTerms(const Measurements& measurements, const Model& model,
-                                const std::vector<Effect>& effects = allEffects());
 
 /// The model with the offsets required by `further` terms that use torques or the centre of mass.
 Model withWeighingOffsets(const Measurements& measurements, Model model, const std::vector<Term>& further);

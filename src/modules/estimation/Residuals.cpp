@@ -115,16 +115,31 @@ WitnessRows Residuals::compareWitness(const WitnessObservation& observation, con
   return observation.witness->compare(frames ? frames->opticalFromWorld : RigidTransform{}, work.modelState);
 }
 
-/// A witness: its rows over the sigma of their level, in units of pixels, like all sums.
+/// Loss of one part of a reading, by the length of its error over sigma. What the robot takes no part in, a known
+/// distance, is never doubted: it tells the scale.
+Loss::Value Residuals::lossOf(const WitnessObservation& observation, const Eigen::Ref<const Eigen::VectorXd>& residual,
+                              const Witness::Part& part) const {
+  const double sigma = sigmaOf(measurements_, noise_, part.level);
+  const double squares = residual.segment(part.first, part.count).squaredNorm() / (sigma * sigma);
+  return observation.view ? loss_(squares) : Loss::Value{squares, 1};
+}
+
+/// A witness: its rows over the sigma of their level, in units of pixels, like all sums. Each part has the loss of its
+/// own distance.
 void Residuals::addWitness(const WitnessObservation& observation, const PreparedImage::Group& group, Workspace& work,
                            PosePart& part) const {
   std::optional<CameraFrames> frames;
   WitnessRows rows = compareWitness(observation, work, frames);
   for (const Witness::Part& each : observation.witness->parts()) {
-    const double scale = noise_.pixel / sigmaOf(measurements_, noise_, each.level);
+    const double sigma = sigmaOf(measurements_, noise_, each.level);
+    const auto [rho, weight] = lossOf(observation, rows.residual, each);
+    const double scale = std::sqrt(weight) * noise_.pixel / sigma;
     rows.residual.segment(each.first, each.count) *= scale;
     rows.byMotion.middleRows(each.first, each.count) *= scale;
     rows.byOwn.middleRows(each.first, each.count) *= scale;
+    work.cost += rho;
+    part.numbers += static_cast<double>(each.count);
+    part.freedom += weight > 0 ? static_cast<double>(each.count) : 0;
   }
   const std::vector<std::size_t>& own = observation.witness->own();
   const Eigen::Index width = 6 + eigenIndex(own.size());
@@ -145,10 +160,7 @@ void Residuals::addWitness(const WitnessObservation& observation, const Prepared
     }
   }
   work.add(all.transpose() * all, all.transpose() * rows.residual, work.motion, group);
-  work.cost += rows.residual.squaredNorm() / (noise_.pixel * noise_.pixel);
   part.squares += rows.residual.squaredNorm();
-  part.numbers += static_cast<double>(rows.residual.size());
-  part.freedom += static_cast<double>(rows.residual.size());
 }
 
 /// IMU: the floor normal in the torso equals the one measured, with sigma `ImuNoise::angle`:
@@ -549,31 +561,42 @@ Residuals::State Residuals::applyStep(const State& state, const Linear& linear, 
   return result;
 }
 
-std::optional<std::vector<BoardMotionSums>> Residuals::boardMotions(const State& state) const {
-  std::vector<BoardMotionSums> result;
+/// Calls visit(pose, picture, work) for every picture in pose order, with the workspace at the picture's state. Ends
+/// early, and returns false, where a visit does.
+template <class Visit> bool Residuals::visitPictures(const State& state, const Visit& visit) const {
   Workspace& work = Workspace::threadWorkspace(measurements_);
   for (std::size_t pose = 0; pose < columns_.size(); ++pose) {
     const Eigen::VectorXd deflections = roots_[pose] * state.deflections[pose];
-    const Eigen::Index columns = eigenIndex(columns_[pose].unknowns.size() + columns_[pose].joints.size());
     for (const EncoderSample& reading : measurements_.poses[pose].readings) {
       for (std::size_t index : reading.pictures) {
-        const ImageObservation& picture = measurements_.pictures[index];
-        predictImageState(picture, prepared_[index], state.unknowns, deflections, work);
+        predictImageState(measurements_.pictures[index], prepared_[index], state.unknowns, deflections, work);
         forwardKinematics(measurements_.robot, work.modelState, prepared_[index].links, work.torsoFromLink);
-        for (const PreparedImage::Group& group : prepared_[index].groups) {
-          for (std::size_t observation : group.observations) {
-            BoardMotionSums motion{.picture = index, .observation = observation, .pose = pose};
-            motion.cross.setZero(6, columns);
-            if (!addMotion(picture.observations[observation], group, work, motion)) {
-              return std::nullopt;
-            }
-            result.push_back(std::move(motion));
-          }
+        if (!visit(pose, index, work)) {
+          return false;
         }
       }
     }
   }
-  return result;
+  return true;
+}
+
+std::optional<std::vector<BoardMotionSums>> Residuals::boardMotions(const State& state) const {
+  std::vector<BoardMotionSums> result;
+  const bool possible = visitPictures(state, [&](std::size_t pose, std::size_t index, Workspace& work) {
+    const Eigen::Index columns = eigenIndex(columns_[pose].unknowns.size() + columns_[pose].joints.size());
+    for (const PreparedImage::Group& group : prepared_[index].groups) {
+      for (std::size_t observation : group.observations) {
+        BoardMotionSums motion{.picture = index, .observation = observation, .pose = pose};
+        motion.cross.setZero(6, columns);
+        if (!addMotion(measurements_.pictures[index].observations[observation], group, work, motion)) {
+          return false;
+        }
+        result.push_back(std::move(motion));
+      }
+    }
+    return true;
+  });
+  return possible ? std::optional{std::move(result)} : std::nullopt;
 }
 
 /// Computes an observation's motion sums. False if a corner has no projection.
@@ -603,43 +626,32 @@ bool Residuals::addMotion(const BoardObservation& observation, const PreparedIma
 
 std::vector<BoardResidual> Residuals::boardResiduals(const State& state) const {
   std::vector<BoardResidual> result;
-  Workspace& work = Workspace::threadWorkspace(measurements_);
-  for (std::size_t pose = 0; pose < columns_.size(); ++pose) {
-    const Eigen::VectorXd deflections = roots_[pose] * state.deflections[pose];
-    for (const EncoderSample& reading : measurements_.poses[pose].readings) {
-      for (std::size_t index : reading.pictures) {
-        const ImageObservation& picture = measurements_.pictures[index];
-        predictImageState(picture, prepared_[index], state.unknowns, deflections, work);
-        forwardKinematics(measurements_.robot, work.modelState, prepared_[index].links, work.torsoFromLink);
-        for (std::size_t i = 0; i < picture.observations.size(); ++i) {
-          result.push_back(boardResidual(index, i, work));
-        }
-      }
+  visitPictures(state, [&](std::size_t, std::size_t index, Workspace& work) {
+    for (std::size_t i = 0; i < measurements_.pictures[index].observations.size(); ++i) {
+      result.push_back(boardResidual(index, i, work));
     }
-  }
+    return true;
+  });
   return result;
 }
 
 std::vector<WitnessResidual> Residuals::witnessResiduals(const State& state) const {
   std::vector<WitnessResidual> result;
-  Workspace& work = Workspace::threadWorkspace(measurements_);
-  for (std::size_t pose = 0; pose < columns_.size(); ++pose) {
-    const Eigen::VectorXd deflections = roots_[pose] * state.deflections[pose];
-    for (const EncoderSample& reading : measurements_.poses[pose].readings) {
-      for (std::size_t index : reading.pictures) {
-        const ImageObservation& picture = measurements_.pictures[index];
-        if (picture.witnesses.empty()) {
-          continue;
-        }
-        predictImageState(picture, prepared_[index], state.unknowns, deflections, work);
-        forwardKinematics(measurements_.robot, work.modelState, prepared_[index].links, work.torsoFromLink);
-        for (std::size_t i = 0; i < picture.witnesses.size(); ++i) {
-          std::optional<CameraFrames> frames;
-          result.push_back({index, i, compareWitness(picture.witnesses[i], work, frames).residual});
-        }
+  if (measurements_.witnessCount == 0) {
+    return result;
+  }
+  visitPictures(state, [&](std::size_t, std::size_t index, Workspace& work) {
+    const std::vector<WitnessObservation>& witnesses = measurements_.pictures[index].witnesses;
+    for (std::size_t i = 0; i < witnesses.size(); ++i) {
+      std::optional<CameraFrames> frames;
+      WitnessResidual& one =
+          result.emplace_back(WitnessResidual{index, i, compareWitness(witnesses[i], work, frames).residual});
+      for (const Witness::Part& part : witnesses[i].witness->parts()) {
+        one.weight = std::min(one.weight, lossOf(witnesses[i], one.residual, part).weight);
       }
     }
-  }
+    return true;
+  });
   return result;
 }
 

@@ -27,6 +27,7 @@ struct BoardResidual {
 struct WitnessResidual {
   std::size_t picture = 0, witness = 0;
   Eigen::VectorXd residual; // predicted - measured [m] or [rad], as its parts say
+  double weight = 1;        // least loss weight of its parts, 0..1
 };
 
 /// Normal equations of a single observation for a rigid motion of its board in the optical frame (omega, v), with cross
@@ -97,6 +98,7 @@ private:
   void sumPoses(const State& state, Linear& result) const;
   bool addPose(std::size_t pose, const State& state, const Eigen::VectorXd& deflections, Workspace& work,
                PosePart& part) const;
+  template <class Visit> bool visitPictures(const State& state, const Visit& visit) const;
   PosePart listColumns(const PoseGroup& pose);
   void predictImageState(const ImageObservation& picture, const PreparedImage& prepared,
                          const Eigen::VectorXd& unknowns, const Eigen::VectorXd& deflections, Workspace& work) const;
@@ -106,6 +108,8 @@ private:
                        PosePart& part) const;
   void addWitness(const WitnessObservation& observation, const PreparedImage::Group& group, Workspace& work,
                   PosePart& part) const;
+  Loss::Value lossOf(const WitnessObservation& observation, const Eigen::Ref<const Eigen::VectorXd>& residual,
+                     const Witness::Part& part) const;
   WitnessRows compareWitness(const WitnessObservation& observation, const Workspace& work,
                              std::optional<CameraFrames>& frames) const;
   bool addCorners(const BoardObservation& observation, const std::vector<std::size_t>& extras, CameraFrames& attitude,

@@ -1,6 +1,7 @@
 #include "evaluation/NextPosesTrial.hpp"
 
 #include "diagnosis/Diagnosis.hpp"
+#include "estimation/CandidateTerms.hpp"
 #include "estimation/ModelBuilder.hpp"
 #include "poses/NextPoses.hpp"
 #include "simulation/Simulation.hpp"

@@ -313,6 +313,11 @@ std::vector<WindowModel> findNeighbours(Window& window, const WindowModel& best)
 
 } // namespace
 
+double findLeastCost(const WideModel& wide, const Noise& noise) {
+  Window window{wide, noise, 0};
+  return findLikeliest(window).cost;
+}
+
 ModelWindow searchModelWindow(const WideModel& wide, const Noise& noise, std::size_t expected) {
   Window window{wide, noise, expected};
   ModelWindow result;

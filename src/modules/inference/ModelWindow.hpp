@@ -51,6 +51,9 @@ struct ModelWindow {
   /// model's value.
   std::array<double, 2> interval(Eigen::Index unknown) const;
 };
+/// Cost of the likeliest model found by the search, at most 0: `SparseCost`.
+double findLeastCost(const WideModel& wide, const Noise& noise);
+
 /// Searches the window at one noise level. `expected`: as above. Models have at most four members.
 ModelWindow searchModelWindow(const WideModel& wide, const Noise& noise, std::size_t expected = 0);
 

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace naocal {
 
@@ -61,7 +62,7 @@ double computeDeviance(const Candidates& all, double kappa) {
 }
 
 /// D(level) of the widest model (`estimateNoiseLevels`).
-double wideDeviance(const ScoreProblem& problem, const Noise& noise) {
+double wideDeviance(const ScoreProblem& problem, const Noise& noise, const SparseCost& sparse = {}) {
   constexpr std::array kappas{0.1, 0.2, 0.4, 0.7, 1.0, 1.5, 2.5};
   const PoseResiduals measured = measuredResiduals(*problem.poses);
   const NullModel alone{problem, noise};
@@ -73,7 +74,7 @@ double wideDeviance(const ScoreProblem& problem, const Noise& noise) {
   const Candidates all{plausible.cwiseProduct(tests.projectedScores(measured, outcome.own).col(0).head(count)),
                        plausible.asDiagonal() * tests.information().topLeftCorner(count, count) *
                            plausible.asDiagonal()};
-  double least = 0;
+  double least = sparse ? sparse(noise) : 0;
   for (const double kappa : kappas) {
     least = std::min(least, computeDeviance(all, kappa));
   }
@@ -84,7 +85,9 @@ double wideDeviance(const ScoreProblem& problem, const Noise& noise) {
 struct LevelCurve {
   std::vector<double> levels, deviances;
 
-  LevelCurve(const ScoreProblem& problem, const Noise& noise, double Noise::*level, bool penalised) {
+  LevelCurve(const ScoreProblem& problem, const Noise& noise, double Noise::*level, bool penalised,
+             SparseCost sparse = {})
+      : sparse_{std::move(sparse)} {
     add(problem, noise, level, penalised,
         {0, radians(0.01), radians(0.02), radians(0.03), radians(0.045), radians(0.065), radians(0.09), radians(0.12),
          mostScatter});
@@ -141,7 +144,7 @@ private:
     parallelFor(further.size(), [&](std::size_t i) {
       Noise there = noise;
       there.*level = further[i];
-      found[i] = wideDeviance(problem, there) + (penalised ? poseNoisePenalty(further[i]) : 0);
+      found[i] = wideDeviance(problem, there, sparse_) + (penalised ? poseNoisePenalty(further[i]) : 0);
     });
     for (std::size_t i = 0; i < further.size(); ++i) {
       const auto place = std::upper_bound(levels.begin(), levels.end(), further[i]) - levels.begin();
@@ -149,6 +152,8 @@ private:
       deviances.insert(deviances.begin() + place, found[i]);
     }
   }
+
+  SparseCost sparse_;
 };
 
 } // namespace
@@ -158,7 +163,8 @@ double poseNoisePenalty(double level) {
   return 2 * std::log1p(ratio * ratio);
 }
 
-NoiseLevels estimateNoiseLevels(const ScoreProblem& wide, const Noise& noise, const RepeatInfo& repeated) {
+NoiseLevels estimateNoiseLevels(const ScoreProblem& wide, const Noise& noise, const RepeatInfo& repeated,
+                                const SparseCost& sparse) {
   const EffectsOnly effects{wide};
   const ScoreProblem& problem = effects.problem();
   NoiseLevels result{noise, {}};
@@ -174,7 +180,7 @@ NoiseLevels estimateNoiseLevels(const ScoreProblem& wide, const Noise& noise, co
   }
   result.noise.reapproach = within.reapproach;
   result.noise.stance = within.stance;
-  const LevelCurve curve{problem, result.noise, &Noise::pose, true};
+  const LevelCurve curve{problem, result.noise, &Noise::pose, true, repeated.none ? sparse : SparseCost{}};
   result.noise.pose = curve.peak();
   const std::vector<double> weights = curve.weights();
   for (std::size_t i = 0; i < weights.size(); ++i) {

@@ -3,6 +3,7 @@
 #include "estimation/Residuals.hpp"
 #include "inference/ScoreProblem.hpp"
 
+#include <functional>
 #include <vector>
 
 namespace naocal {
@@ -27,6 +28,7 @@ struct NoiseLevels {
 struct RepeatInfo {
   bool reapproached = false; // the robot left a pose and returned to it
   bool restood = false;      // the same, and the robot was put down anew in between
+  bool none = false;         // no repeats at all: scatter is told from few effects only by `SparseCost`
 };
 
 /// Upper limit of joint scatter [rad], the scatter of real gears. Misfit beyond it is not attributed to noise.
@@ -41,6 +43,9 @@ double poseNoisePenalty(double level);
 /// Smallest pose noise above zero [rad] at which D is evaluated.
 constexpr double leastScatter = 0.003 * 3.14159265358979323846 / 180;
 
+/// -2 ln of the posterior odds of the likeliest few effects against none, at these noise levels: at most 0.
+using SparseCost = std::function<double(const Noise&)>;
+
 /// Estimates re-approach, stance and pose noise by restricted likelihood (REML: Patterson and Thompson, Biometrika 58
 /// (1971) 545) under the widest model: all candidate effects enter as random effects gamma ~ N(0, kappa^2) in units of
 /// `plausible`. Without the candidates, scatter is the only explanation of any misfit, and every missing effect
@@ -54,7 +59,10 @@ constexpr double leastScatter = 0.003 * 3.14159265358979323846 / 180;
 /// unconstrained): re-approach only if `repeated.reapproached`, stance only if `repeated.restood`.
 /// `noise` gives the pixel and encoder levels, which stay fixed. Curves of the problem are excluded, since they would
 /// fit scatter.
-NoiseLevels estimateNoiseLevels(const ScoreProblem& wide, const Noise& noise, const RepeatInfo& repeated);
+/// With few poses the random effects gamma are as flexible as scatter, which then takes the place of one or two large
+/// effects. Where no pose is repeated, `sparse` stands beside them: the more likely of the two counts at each level.
+NoiseLevels estimateNoiseLevels(const ScoreProblem& wide, const Noise& noise, const RepeatInfo& repeated,
+                                const SparseCost& sparse = {});
 
 /// Whether the data estimate the pose noise at its boundary, zero: D(0) <= D(leastScatter), the penalty included.
 /// `noise`: the other levels.

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 /// All decision thresholds of inference and diagnosis: unit, what lies beyond, and how each was chosen.
 ///
 /// Evidence is 2 ln(Bayes factor): above 6 is strong, above 10 very strong (Kass and Raftery, JASA 90 (1995) 773).
@@ -36,12 +39,19 @@ inline constexpr double predictsNext =
     3; // gain on the last block of time above which an effect predicts; 84 simulated robots
 inline constexpr double predictsTail = 0.001; // p-value of the misfit in that block, above which an effect predicts
 
+// What captures tell of an offset [1 - posterior sigma / prior sigma]
+inline constexpr double learned = 0.5; // below it the prior tells more than the captures: not determined
+
 // Aliasing
 inline constexpr double related = 0.5; // correlation; below it neither candidate explains the other's misfit
 inline constexpr double power = 0.8;   // power at a plausible size; above it an undetected candidate is ruled out
 
 // Misfit and sizes
 inline constexpr double misfit = 1.6; // chi2 / freedom between poses that noise does not exceed; 248 simulated robots
+/// The same with few degrees of freedom: three standard deviations of chi2 / freedom, if that is more.
+inline double mostMisfit(double freedom) {
+  return std::max(misfit, 1 + 3 * std::sqrt(2 / std::max(1.0, freedom)));
+}
 inline constexpr double bearableMisfit = 1.5; // the same with suspected missing effects; below it offsets are usable
 inline constexpr double implausible = 3;      // size of an effect in prior sigmas, beyond which it is implausible
 inline constexpr double negligiblePx =

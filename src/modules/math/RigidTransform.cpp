@@ -70,4 +70,8 @@ Eigen::Matrix3d leftJacobian(const Eigen::Vector3d& v) {
   return terms.sine * Eigen::Matrix3d::Identity() + terms.versine * crossMatrix(v) + terms.rest * v * v.transpose();
 }
 
+Eigen::Matrix3d opticalFromCamera() {
+  return (Eigen::Matrix3d{} << 0, -1, 0, 0, 0, -1, 1, 0, 0).finished();
+}
+
 } // namespace naocal

@@ -36,4 +36,8 @@ Eigen::Matrix3d leftJacobian(const Eigen::Vector3d& rotationVector);
 /// [v]x with [v]x w = v x w.
 Eigen::Matrix3d crossMatrix(const Eigen::Vector3d& v);
 
+/// Axes of an optical frame (x right, y down, z forward) from those of a camera (x forward, y left, z up):
+/// vectorInOptical = opticalFromCamera() * vectorInCamera.
+Eigen::Matrix3d opticalFromCamera();
+
 } // namespace naocal

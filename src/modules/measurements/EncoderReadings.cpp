@@ -1,7 +1,5 @@
 #include "measurements/EncoderReadings.hpp"
 
-#include "measurements/Noise.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -39,7 +37,7 @@ double peakOf(const std::vector<double>& curve) {
 
 } // namespace
 
-RestReadings::RestReadings(const std::vector<double>& angles) {
+RestReadings::RestReadings(const std::vector<double>& angles, double encoderStep) : encoderStep_{encoderStep} {
   const double least = *std::min_element(angles.begin(), angles.end());
   std::map<int, int> counts;
   double beside = 0; // offset from whole steps
@@ -75,7 +73,7 @@ double RestReadings::logLikelihood(double jitter) const {
 RestReadings::Place RestReadings::place(double jitter) const {
   double sum = 0, mean = 0, square = 0;
   // readings farther apart than this jitter allows: widen it
-  for (double likely = std::max(jitter / encoderStep, leastJitter); sum < 1e-100; likely *= jitterRatio) {
+  for (double likely = std::max(jitter / encoderStep_, leastJitter); sum < 1e-100; likely *= jitterRatio) {
     sum = mean = square = 0;
     visitPlaces(likely, [&](double x, double probability) {
       sum += probability;
@@ -84,7 +82,7 @@ RestReadings::Place RestReadings::place(double jitter) const {
     });
   }
   mean /= sum;
-  return {lowest_ + encoderStep * mean, encoderStep * encoderStep * std::max(0.0, square / sum - mean * mean)};
+  return {lowest_ + encoderStep_ * mean, encoderStep_ * encoderStep_ * std::max(0.0, square / sum - mean * mean)};
 }
 
 std::vector<double> estimateEncoderJitter(const std::vector<std::vector<RestReadings>>& rests) {
@@ -116,12 +114,13 @@ std::vector<double> estimateEncoderJitter(const std::vector<std::vector<RestRead
   }
   const double common = peakOf(together);
   std::vector<double> result;
-  for (std::vector<double>& curve : curves) {
+  for (std::size_t joint = 0; joint < rests.size(); ++joint) {
+    std::vector<double>& curve = curves[joint];
     for (int i = 0; i < jitterLevels; ++i) {
       const double away = std::log(jitterLevel(i) / common) / spread;
       curve[static_cast<std::size_t>(i)] -= 0.5 * away * away;
     }
-    result.push_back(peakOf(curve) * encoderStep);
+    result.push_back(rests[joint].empty() ? 0.0 : peakOf(curve) * rests[joint].front().encoderStep());
   }
   return result;
 }

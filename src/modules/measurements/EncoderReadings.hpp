@@ -8,12 +8,13 @@ namespace naocal {
 /// Encoder readings of a joint at rest: a histogram of encoder steps, counted from the lowest one.
 class RestReadings {
 public:
-  /// `angles`: readings [rad], at least one. Interpolated readings (a picture's time lies between two encoder readings)
-  /// fall between steps and count as the nearest step.
-  explicit RestReadings(const std::vector<double>& angles);
+  /// `angles`: readings [rad], at least one; `encoderStep` [rad]. Interpolated readings (a picture's time lies between
+  /// two encoder readings) fall between steps and count as the nearest step.
+  RestReadings(const std::vector<double>& angles, double encoderStep);
 
   /// Whether the readings differ and thus carry information on the encoder's jitter.
   bool differ() const { return counts_.size() > 1; }
+  double encoderStep() const { return encoderStep_; }  // [rad]
   int highest() const { return counts_.back().first; } // in steps above the lowest one
   /// Log-likelihood of the readings, with the joint's true position integrated out:
   ///   ln Int Prod_i [Phi((k_i + 1/2 - x) / jitter) - Phi((k_i - 1/2 - x) / jitter)] dx,   jitter and x in steps
@@ -31,6 +32,7 @@ public:
 private:
   template <class Visit> void visitPlaces(double jitter, const Visit& visit) const;
 
+  double encoderStep_ = 0;
   double lowest_ = 0;                       // angle of step 0: mean of all readings minus their steps [rad]
   std::vector<std::pair<int, int>> counts_; // (step, number of readings)
 };

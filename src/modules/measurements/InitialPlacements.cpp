@@ -19,10 +19,6 @@ using Poses = std::vector<RigidTransform>;
 
 constexpr std::size_t mostViews = 200; // per estimate: a medoid's cost grows with their square
 
-RigidTransform placementTransform(const Placement& p) {
-  return transformFromPlacement((Twist{} << p.x, p.y, p.z, p.roll, p.pitch, p.yaw).finished());
-}
-
 /// The pose with the smallest total distance to the others, robust against a few outliers. A turn by 1 rad counts as
 /// much as half a metre.
 RigidTransform medoidPose(const Poses& all) {
@@ -52,8 +48,9 @@ bool isFree(const Target& target) {
 /// Where the support stands, as far as it is known.
 std::optional<RigidTransform> worldFromSupport(const Measurements& measurements, std::size_t stance) {
   const StanceInstance& instance = measurements.stances[stance];
-  return instance.unknown || !instance.supportLink ? std::nullopt
-                                                   : std::optional{placementTransform(instance.placement)};
+  return instance.unknown || !instance.supportLink
+             ? std::nullopt
+             : std::optional{transformFromPlacement(instance.placement.numbers())};
 }
 
 /// worldFromLink at the measured angles; absent where the support's placement is unknown.
@@ -134,8 +131,9 @@ private:
   bool isPlaced(std::size_t board) const { return !isFree(measurements_.targets[board]) || placed_.contains(board); }
   RigidTransform placedAt(std::size_t board) const {
     const Target& target = measurements_.targets[board];
-    return isFree(target) ? target.reference
-                          : placementTransform(target.board.placement.value_or(target.board.placementGuess));
+    return isFree(target)
+               ? target.reference
+               : transformFromPlacement(target.board.placement.value_or(target.board.placementGuess).numbers());
   }
 
   /// From known bases to boards and from boards to unknown bases.
@@ -172,9 +170,8 @@ private:
       return;
     }
     const auto setCamera = [&](const RigidTransform& worldFromOptical) {
-      const Eigen::Matrix3d opticalFromCamera{{0, -1, 0}, {0, 0, -1}, {1, 0, 0}};
       mount.translation = worldFromOptical.translation;
-      mount.rotation = worldFromOptical.rotation * opticalFromCamera;
+      mount.rotation = worldFromOptical.rotation * opticalFromCamera();
       cameras_[camera] = true;
     };
     Poses found;
@@ -284,7 +281,7 @@ private:
       const auto& [worldFromHand, trackerFromFrame] = poses;
       const bool isFrameKnown = known_.frames[frame].frame.placement.has_value();
       const RigidTransform linkFromFrame =
-          placementTransform(known_.frames[frame].frame.placement.value_or(Placement{}));
+          transformFromPlacement(known_.frames[frame].frame.placement.value_or(Placement{}).numbers());
       Poses found;
       for (std::size_t i = 0; i < worldFromHand.size() && i < mostViews; ++i) {
         found.push_back(isFrameKnown ? worldFromHand[i] * linkFromFrame * trackerFromFrame[i].inverse()
@@ -343,7 +340,7 @@ private:
 
   RigidTransform trackerAt(std::size_t tracker) const {
     const auto& placement = known_.trackers[tracker].tracker.placement;
-    return placement ? placementTransform(*placement) : known_.trackers[tracker].reference;
+    return placement ? transformFromPlacement(placement->numbers()) : known_.trackers[tracker].reference;
   }
   void setTracker(std::size_t tracker, const RigidTransform& worldFromTracker) {
     known_.trackers[tracker].reference = worldFromTracker;

@@ -103,6 +103,10 @@ struct Measurements {
   /// Whether a camera stands beside the robot at an unknown place.
   bool isCameraUnknown(std::size_t camera) const;
 
+  /// Whether a joint of a robot with a URDF has an encoder whose step its set does not tell. Its noise is part of the
+  /// scatter from pose to pose, which must then be estimated.
+  bool hasUnknownSteps() const;
+
   /// The set and the capture that a picture was made from.
   const CaptureSet& setOf(const ImageObservation& picture) const { return (*sets)[picture.set]; }
   const Capture& captureOf(const ImageObservation& picture) const { return setOf(picture).captures[picture.capture]; }

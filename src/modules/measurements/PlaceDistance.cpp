@@ -1,6 +1,8 @@
 #include "measurements/WitnessSource.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
+#include <set>
 
 namespace naocal {
 
@@ -37,15 +39,38 @@ private:
   double metres_;
 };
 
+/// Places that are known, or that a contact tells.
+std::set<std::size_t> findLocatedPlaces(const Measurements& measurements) {
+  std::set<std::size_t> located;
+  const StateLayout& layout = measurements.quantities;
+  for (std::size_t place = 0; place < measurements.instruments.places.size(); ++place) {
+    const auto touches = [&](const WitnessObservation& observation) {
+      const std::vector<std::size_t>& own = observation.witness->own();
+      return std::find(own.begin(), own.end(), layout.place(place)) != own.end();
+    };
+    if (measurements.instruments.places[place].place.point ||
+        std::any_of(measurements.pictures.begin(), measurements.pictures.end(), [&](const ImageObservation& picture) {
+          return std::any_of(picture.witnesses.begin(), picture.witnesses.end(), touches);
+        })) {
+      located.insert(place);
+    }
+  }
+  return located;
+}
+
 } // namespace
 
 std::vector<WitnessObservation> makePlaceDistances(Measurements& measurements, const CaptureSet& set,
                                                    const std::function<std::string(const std::string&)>& nameOf) {
   std::vector<WitnessObservation> result;
+  const auto& places = measurements.instruments.places;
+  const std::set<std::size_t> located = findLocatedPlaces(measurements);
   for (const PlaceDistance& distance : set.instruments.distances) {
-    const auto& places = measurements.instruments.places;
     const std::array<std::size_t, 2> ends{indexOf(places, nameOf(distance.between[0])),
                                           indexOf(places, nameOf(distance.between[1]))};
+    if (!located.contains(ends[0]) || !located.contains(ends[1])) {
+      continue; // tells only where the other end is
+    }
     measurements.levels.push_back({.name = fmt::format("{} to {}", places[ends[0]].name, places[ends[1]].name),
                                    .unit = ReadingLevel::Unit::metres,
                                    .sigma = distance.sigma,

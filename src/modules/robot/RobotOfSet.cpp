@@ -12,13 +12,6 @@ namespace naocal {
 
 namespace {
 
-/// Camera axes (forward, left, up) in an optical frame (x right, y down, z forward).
-const Eigen::Matrix3d opticalFromCameraAxes{{0, -1, 0}, {0, 0, -1}, {1, 0, 0}};
-
-RigidTransform toTransform(const Placement& p) {
-  return transformFromPlacement((Eigen::Matrix<double, 6, 1>{} << p.x, p.y, p.z, p.roll, p.pitch, p.yaw).finished());
-}
-
 std::size_t requireLink(const Robot& robot, const CaptureSet& set, const std::string& place, const std::string& link) {
   const auto index = robot.linkIndex(link);
   if (!index) {
@@ -30,9 +23,9 @@ std::size_t requireLink(const Robot& robot, const CaptureSet& set, const std::st
 CameraMount mountOf(const Robot& robot, const CaptureSet& set, const std::string& name,
                     const CameraMounting& mounting) {
   const bool inWorld = mounting.link == "world";
-  const RigidTransform linkFromMount =
-      toTransform(mounting.placement.value_or(inWorld ? mounting.guess.value_or(Placement{}) : Placement{}));
-  const Eigen::Matrix3d mountFromCamera = mounting.isOptical ? opticalFromCameraAxes : Eigen::Matrix3d::Identity();
+  const RigidTransform linkFromMount = transformFromPlacement(
+      mounting.placement.value_or(inWorld ? mounting.guess.value_or(Placement{}) : Placement{}).numbers());
+  const Eigen::Matrix3d mountFromCamera = mounting.isOptical ? opticalFromCamera() : Eigen::Matrix3d::Identity();
   return {.name = name,
           .link = inWorld ? robot.base : requireLink(robot, set, fmt::format("cameras.{}.link", name), mounting.link),
           .inWorld = inWorld,
@@ -47,7 +40,8 @@ void addSole(const CaptureSet& set, const std::string& place, const std::string&
   }
   const std::size_t foot = requireLink(robot, set, place, name);
   const auto given = set.soles.find(name);
-  const RigidTransform footFromSole = toTransform(given == set.soles.end() ? Placement{} : given->second);
+  const RigidTransform footFromSole =
+      transformFromPlacement((given == set.soles.end() ? Placement{} : given->second).numbers());
   Link sole{.name = name + " sole", .parent = foot, .constant = footFromSole.translation};
   sole.rotation = footFromSole.rotation;
   robot.soles.push_back({.name = name, .link = robot.links.size()});

@@ -21,13 +21,11 @@ void makeFolder(const std::filesystem::path& folder) {
 
 /// The scene in front of the camera at one capture of a simulation.
 RenderedScene sceneAt(const Simulation& simulation, std::size_t capture) {
-  Eigen::Matrix3d opticalFromCamera; // x right, y down, z forward from x forward, y left, z up
-  opticalFromCamera << 0, -1, 0, 0, 0, -1, 1, 0, 0;
   const Exposure& exposure = simulation.exposures[capture];
   RenderedScene scene;
   for (std::size_t board = 0; board < simulation.set.boards.size(); ++board) {
     const Eigen::Isometry3d opticalFromBoard =
-        opticalFromCamera * (exposure.worldFromCamera.inverse() * exposure.worldFromBoard[board]);
+        opticalFromCamera() * (exposure.worldFromCamera.inverse() * exposure.worldFromBoard[board]);
     scene.boards.push_back({simulation.set.boards[board].id,
                             *simulation.set.boards[board].pattern,
                             {opticalFromBoard.linear(), opticalFromBoard.translation()}});

@@ -6,6 +6,7 @@
 #include "diagnosis/DiagnosisFile.hpp"
 #include "diagnosis/Session.hpp"
 #include "effects/UserEffect.hpp"
+#include "estimation/CandidateTerms.hpp"
 #include "estimation/ModelBuilder.hpp"
 #include "estimation/ModelFile.hpp"
 #include "io/Files.hpp"

@@ -74,11 +74,13 @@ void printCalibration(const FittedModel& fitted) {
   printText("chi2/dof {:.3f}, p {:.2g}\n", fitted.fit.chi2 / std::max(1.0, fitted.fit.dof), fitted.fit.pValue);
   printReadings(fitted);
   printText(
-      "noise, 1 sigma ({}): {}encoders {:.4f}°, joint scatter {:.4f}° from pose to pose{}\n", fitted.fit.noiseSource,
+      "noise, 1 sigma ({}): {}{}, joint scatter {:.4f}° from pose to pose{}\n", fitted.fit.noiseSource,
       hasCorners ? fmt::format("corners {:.3f} px anew in each picture and {:.3f} px alike in all pictures of a rest, ",
                                fitted.fit.noise.pixel, fitted.fit.noise.pixelAlike)
                  : "",
-      degrees(fitted.fit.noise.encoder), degrees(fitted.fit.noise.pose),
+      fitted.measurements.hasUnknownSteps() ? std::string{"encoders' steps unknown"}
+                                            : fmt::format("encoders {:.4f}°", degrees(fitted.fit.noise.encoder)),
+      degrees(fitted.fit.noise.pose),
       fitted.fit.noise.stance > 0 ? fmt::format(" and {:.4f}° from stance to stance", degrees(fitted.fit.noise.stance))
                                   : "");
   if (fitted.fit.floorErrorAt2m > 0) {
@@ -97,6 +99,11 @@ void printCalibration(const FittedModel& fitted) {
                   ? fmt::format("{} corners together", outlier.corners.size())
                   : fmt::format("{} corner{}", outlier.corners.size(), outlier.corners.size() == 1 ? "" : "s"),
               outlier.distance, outlier.whole ? ": was the board moved or the robot touched?" : "");
+  }
+  for (const DoubtfulReading& reading : fitted.fit.doubtfulReadings) {
+    const ImageObservation& picture = fitted.measurements.pictures[reading.picture];
+    printText("\ndoubtful: capture {}, {}: does not fit the rest", fitted.measurements.captureOf(picture).id,
+              picture.witnesses[reading.witness].witness->target());
   }
   for (const std::string& warning : toSentences(fitted.fit.warnings)) {
     printText("\nwarning: {}", warning);

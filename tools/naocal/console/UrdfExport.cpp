@@ -4,6 +4,7 @@
 
 #include "data/CaptureSetFile.hpp"
 #include "dialects/UrdfCorrection.hpp"
+#include "inference/Thresholds.hpp"
 #include "io/Files.hpp"
 #include "io/Folders.hpp"
 #include "io/InputError.hpp"
@@ -34,7 +35,7 @@ FoundCorrections findCorrections(const JsonCursor& result) {
     const JsonCursor unknowns = effect.at("unknowns");
     if (name == "jointOffset") {
       const JsonCursor offset = unknowns.at("o");
-      if (offset.at("learned").number({0, 1, ""}) < 0.5) {
+      if (offset.at("learned").number({0, 1, ""}) < threshold::learned) {
         found.unlearned.push_back(at);
         continue;
       }

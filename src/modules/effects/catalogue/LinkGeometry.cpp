@@ -5,7 +5,7 @@ namespace naocal {
 /// The drawing's fixed step to a joint is off. 5 mm and 0.02 rad: printed or bolted parts, and drawings of other
 /// versions.
 Effect linkGeometry() {
-  return {.name = "linkGeometry",
+  return {.name = effectName::linkGeometry,
           .description = "the part before the joint is not as the drawing says",
           .formula = "parentFromJoint * T(x, y, z) * Rx(rx) * Ry(ry) * Rz(rz)",
           .placeKind = PlaceKind::joint,

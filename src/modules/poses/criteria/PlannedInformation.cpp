@@ -1,5 +1,6 @@
 #include "poses/criteria/PlannedInformation.hpp"
 
+#include "estimation/CandidateTerms.hpp"
 #include "estimation/DriverState.hpp"
 #include "estimation/Model.hpp"
 #include "estimation/ModelBuilder.hpp"
