@@ -69,6 +69,12 @@ bool tellScatter(const Measurements& measurements, double scatter) {
   return !readsUnknown && (!measurements.hasUnknownSteps() || scatter >= encoderScatter);
 }
 
+/// Whether a fit leaves more misfit than noise explains, in size, too: sharp corners share errors below the noise floor
+/// (lens distortion that the model lacks, detector bias).
+bool leavesMisfit(const CalibrationResult& fit) {
+  return fit.misfit > threshold::mostMisfit(fit.misfitFreedom) && fit.rmsPx > fit.noiseFloorPx;
+}
+
 /// What remained of the misfit: a named effect explains it, or only an unnamed curve does.
 struct Remainder {
   bool missing = false, unknown = false;
@@ -85,9 +91,7 @@ Verdict verdictOf(const Diagnosis& diagnosis, const CalibrationResult& last, con
   if (remainder.missing) {
     return Verdict::effectMissing;
   }
-  // sharp corners share errors below the noise floor: lens distortion that the model lacks, detector bias
-  const bool matters = diagnosis.rmsPx > diagnosis.lackOfFit.noiseFloorPx;
-  if (diagnosis.unexplained || (last.misfit > threshold::mostMisfit(last.misfitFreedom) && matters)) {
+  if (diagnosis.unexplained || (leavesMisfit(last) && diagnosis.rmsPx > diagnosis.lackOfFit.noiseFloorPx)) {
     return Verdict::inconclusive;
   }
   return diagnosis.fit.scatter > threshold::scatterRatio && tellScatter(measurements, diagnosis.scatter)
@@ -196,7 +200,8 @@ private:
     const double level = result_.suggested.empty() ? options_.alarm : threshold::laterAlarm * options_.alarm;
     last_ = {};
     last_.field = noteworthyField(findStrikingField(fitted()), mostField_);
-    last_.striking = tests.evidence().pValue <= level && tests.evidence().matters;
+    const bool matters = tests.evidence().matters || leavesMisfit(selection_.fit());
+    last_.striking = tests.evidence().pValue <= level && matters;
     last_.alarm = (last_.striking || last_.field) && result_.anomalies.empty();
     if (last_.alarm) {
       last_.next = selection_.chooseNext(tests);

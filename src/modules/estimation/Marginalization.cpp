@@ -10,6 +10,10 @@
 
 namespace naocal {
 
+/// Deflection of each reading of its own, at least [rad]: far below any encoder's, and keeps the covariance regular
+/// where an encoder's step is unknown.
+constexpr double leastOwn = 1e-6;
+
 JointErrorRoot jointErrorRoot(const PosePart& pose, const Noise& noise) {
   const auto count = static_cast<Eigen::Index>(pose.joints.size());
   JointErrorRoot root(count, count);
@@ -28,8 +32,8 @@ JointErrorRoot jointErrorRoot(const PosePart& pose, const Noise& noise) {
     }
     Eigen::MatrixXd covariance = Eigen::MatrixXd::Constant(size, size, noise.pose * noise.pose);
     for (Eigen::Index i = 0; i < size; ++i) {
-      covariance(i, i) +=
-          std::pow(noise.encoder * pose.errorScales[first + i], 2) + noise.reapproach * noise.reapproach;
+      const double own = std::pow(noise.encoder * pose.errorScales[first + i], 2) + noise.reapproach * noise.reapproach;
+      covariance(i, i) += std::max(own, leastOwn * leastOwn);
       for (Eigen::Index j = 0; j < size; ++j) {
         covariance(i, j) += pose.stances[first + i] == pose.stances[first + j] ? noise.stance * noise.stance : 0;
       }
