@@ -10,7 +10,10 @@
 #include "math/Angles.hpp"
 #include "math/LinearAlgebra.hpp"
 #include "report/DiagnosisData.hpp"
+#include "report/PageValues.hpp"
+#include "report/ReadingsData.hpp"
 #include "report/ResultData.hpp"
+#include "report/ResultFacts.hpp"
 
 #include <map>
 #include <nlohmann/json.hpp>
