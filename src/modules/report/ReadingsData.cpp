@@ -128,11 +128,16 @@ std::vector<MeasuredKind> kindsIn(const JsonCursor& errors, const std::optional<
   return kinds;
 }
 
-json rmsAt(const std::optional<JsonCursor>& errors, const MeasuredKind& kind) {
+std::optional<JsonCursor> placeOf(const std::optional<JsonCursor>& errors, const MeasuredKind& kind) {
   std::optional<JsonCursor> place = errors;
   for (const std::string& key : kind.path) {
     place = place ? place->find(key) : std::nullopt;
   }
+  return place;
+}
+
+json rmsAt(const std::optional<JsonCursor>& errors, const MeasuredKind& kind) {
+  const auto place = placeOf(errors, kind);
   return place ? json(kind.scale * place->at("rms").number(spread)) : json(nullptr);
 }
 
@@ -159,6 +164,29 @@ json readingsOfPictures(const JsonCursor& residuals, std::size_t pictures) {
   return readingsData(all, residuals.at("readingNoise"), [&](std::size_t index) {
     return static_cast<std::size_t>(all[index].at("picture").integer(0, static_cast<int>(pictures) - 1));
   });
+}
+
+json comparedKindsData(const JsonCursor& comparison) {
+  json all = json::array();
+  const JsonCursor nominal = comparison.at("nominal");
+  if (const int corners = comparison.at("corners").integer(0, maxInteger); corners > 0) {
+    all.push_back({{"title", "corners"},
+                   {"unit", "px"},
+                   {"count", corners},
+                   {"rms", comparison.at("rmsPx").number(spread)},
+                   {"median", comparison.at("medianPx").number(spread)},
+                   {"nominal", nominal.at("rmsPx").number(spread)}});
+  }
+  for (const MeasuredKind& kind : kindsIn(comparison, std::nullopt)) {
+    const auto place = placeOf(comparison, kind);
+    all.push_back({{"title", kind.title},
+                   {"unit", kind.unit},
+                   {"count", place->at("points").integer(0, maxInteger)},
+                   {"rms", rmsAt(comparison, kind)},
+                   {"median", kind.scale * place->at("median").number(spread)},
+                   {"nominal", rmsAt(nominal, kind)}});
+  }
+  return all;
 }
 
 json kindErrorsData(const JsonCursor& diagnosis, const json& suggested) {

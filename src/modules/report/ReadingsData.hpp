@@ -30,4 +30,8 @@ nlohmann::json readingsOfPictures(const JsonCursor& residuals, std::size_t pictu
 /// catalogue.
 nlohmann::json kindErrorsData(const JsonCursor& diagnosis, const nlohmann::json& suggested);
 
+/// Errors of captures that were not used for a fit, per kind of measurement: [{"title", "unit", "count", "rms",
+/// "median", "nominal"}], `nominal` with the drawing alone. `comparison`: as 'naocal compare' writes it.
+nlohmann::json comparedKindsData(const JsonCursor& comparison);
+
 } // namespace naocal

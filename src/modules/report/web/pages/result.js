@@ -129,7 +129,7 @@ if (data.readings.length) {
   at("histogramWords").textContent = histogramWords;
   at("readingDots").append(dotsOfReadings(data.readings, "dotsOf", readingTools));
   at("readingArrows").append(arrowsOfReadings(data.readings, "arrowsOf", readingTools));
-  at("readingHistograms").append(histogramsOfReadings(data.readings, readingTools));
+  at("readingHistograms").append(histogramsOfReadings(data.readings));
   at("readingGroups").append(...data.readings.map(byMarker));
 }
 showTrends();

@@ -6,17 +6,16 @@ import {percent, short} from "naocal/lib/format.js";
 import {quantile, rms} from "naocal/lib/statistics.js";
 
 /** @import {ReadingSeries} from "naocal/lib/types.js" */
-/** @import {ReadingTools} from "naocal/lib/readings.js" */
 
 const leastReach = 5, mostReach = 20; // standard deviations; what lies beyond is counted at the ends
 
 /** @param {number} z */
 const density = z => Math.exp(-z * z / 2) / Math.sqrt(2 * Math.PI);
 
-/** @param {ReadingSeries} series @param {ReadingTools} tools */
-export const readingHistogram = ({points, sigma, title}, {layer}) =>
+/** Joint readings are moved within their noise, so that only the instrument's is left. @param {ReadingSeries} series */
+export const readingHistogram = ({points, sigma, title}) =>
   captioned({height: 250, label: "errors against noise: " + title, draw: (context, width, height, caption) => {
-    const errors = points.flatMap(reading => reading[layer()].map(value => value / sigma)), wide = errors.length > 150 ? 0.5 : 1;
+    const errors = points.flatMap(reading => reading.fitted.map(value => value / sigma)), wide = errors.length > 150 ? 0.5 : 1;
     const reach = Math.max(leastReach, Math.min(mostReach, Math.ceil(quantile(errors.map(Math.abs), 0.99))));
     const bars = Array.from({length: 2 * reach / wide}, () => 0);
     for (const error of errors) ++bars[Math.max(0, Math.min(bars.length - 1, Math.floor((error + reach) / wide)))];

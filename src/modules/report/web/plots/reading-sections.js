@@ -14,15 +14,15 @@ const bySeries = (series, id, show) => choosing(id, "Readings", series.map(({tit
 /** @param {ReadingSeries[]} series @param {string} id @param {ReadingTools} tools */
 export const dotsOfReadings = (series, id, tools) => bySeries(series, id, one => readingDots(one, tools));
 
-/** @param {ReadingSeries[]} series @param {ReadingTools} tools */
-export const histogramsOfReadings = (series, tools) => element("div", {class: "grid"}, ...series.map(one => readingHistogram(one, tools)));
+/** @param {ReadingSeries[]} series */
+export const histogramsOfReadings = series => element("div", {class: "grid"}, ...series.map(readingHistogram));
 
 /** Of lengths alone. @param {ReadingSeries[]} series @param {string} id @param {ReadingTools} tools */
 export const arrowsOfReadings = (series, id, tools) => bySeries(series.filter(({isPlace}) => isPlace), id, one => readingArrows(one, tools));
 
 export const dotsWords = "Errors of what trackers and contacts measured, one dot per reading and axis of the world. Good: dots fill the band and have no pattern. " +
   "Suspicious: a drift or a step (something moved or warms up), one capture far out (a bad reading), or one marker unlike the others.";
-export const histogramWords = "How often a reading is off by how much, in standard deviations of its noise; the orange curve is noise alone. Wider than the curve: " +
-  "a cause is missing, or the noise is larger than the set says. Narrower: the noise is smaller than said.";
+export const histogramWords = "How often a reading is off by how much, in standard deviations of its noise; the orange curve is noise alone. Joint readings are " +
+  "moved within their own noise. Wider than the curve: a cause is missing, or the noise is larger than the set says. Narrower: the noise is smaller than said.";
 export const arrowsWords = "Each reading where it lies in the world of this fit. Good: short arrows in all directions. Suspicious: arrows of a region that point one way, " +
   "or that turn around a joint.";

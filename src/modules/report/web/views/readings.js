@@ -23,6 +23,6 @@ export const view = {
     modelChoice("readingsBy", data, ({readings}) => {
       const drawn = toolsOf(data, tools);
       return element("div", {}, dotsOfReadings(readings, "readingSeries", drawn), element("p", {class: "soft"}, arrowsWords), arrowsOfReadings(readings, "arrowSeries", drawn),
-        element("p", {class: "soft"}, histogramWords), histogramsOfReadings(readings, drawn));
+        element("p", {class: "soft"}, histogramWords), histogramsOfReadings(readings));
     })] : null,
 };
