@@ -246,10 +246,9 @@ std::string formatDriver(const TellingPair& pair, const std::vector<DriverSeries
 
 /// "6.0 px", "-0.41°", "0.35 mm" of a joint that slides; two significant digits.
 std::string formatAmount(const TellingPair& pair, double value, const Robot& robot) {
-  const auto [unit, factor] = pair.error != Error::joint             ? displayUnit("px")
-                              : robot.joints[pair.motor].isPrismatic ? displayUnit("m")
-                                                                     : displayUnit("rad");
-  const double shown = factor * value;
+  const bool isJoint = pair.error == Error::joint, slides = isJoint && robot.joints[pair.motor].isPrismatic;
+  const std::string unit = slides ? "mm" : isJoint ? "°" : "px";
+  const double shown = slides ? 1000 * value : isJoint ? degrees(value) : value;
   const double size = std::abs(shown);
   const int digits = size < 0.0995 ? 3 : size < 0.995 ? 2 : size < 9.95 ? 1 : 0;
   return (shown < 0 ? "−" : "") + appendUnit(fmt::format("{:.{}f}", size, digits), unit);
