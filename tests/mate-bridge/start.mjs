@@ -19,7 +19,7 @@ const click = name => page.getByRole("button", {name, exact: true}).click();
 const tab = name => page.locator("#tabs").getByRole("button", {name, exact: true}).click();
 const focused = () => page.evaluate(() => document.activeElement?.textContent);
 
-await page.getByRole("heading", {name: "Calibrate a NAO from pictures"}).waitFor();
+await page.getByRole("heading", {name: "Calibrate a robot"}).waitFor();
 check(await page.locator("#tabs").evaluate(tabs => tabs.scrollWidth <= tabs.clientWidth), "all views' tabs fit into a window of 1366 px");
 await portrait(page, axe, pictures, "home");
 const boards = await page.evaluate(async () => {

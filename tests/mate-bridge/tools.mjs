@@ -98,7 +98,7 @@ const words = readFileSync(join(here, "arguments"), "utf8").trim(), [, token] = 
 check(words.startsWith("--app=file://") && !words.includes(token), "the secret is not in the browser's command line: " + words);
 const led = await patientPage(browser);
 await led.goto(words.replace("--app=", ""));
-await led.getByRole("heading", {name: "Calibrate a NAO from pictures"}).waitFor();
+await led.getByRole("heading", {name: "Calibrate a robot"}).waitFor();
 check(led.url().includes(token), "its page leads to the panel");
 opening.kill("SIGTERM");
 await new Promise(resolve => opening.on("exit", resolve));

@@ -189,7 +189,8 @@ TEST_CASE("a broken result file is refused with one sentence") {
   CHECK_THAT(refusal("/format", "naocal-captures"),
              Catch::Contains("result.json: format: expected \"naocal-result\", \"naocal-diagnosis\" or"));
   CHECK_THAT(refusal("/version", 2), Catch::Contains("version"));
-  CHECK_THAT(refusal("/sightings", json::array()), Catch::Contains("sightings: expected at least one board"));
+  CHECK_THAT(refusal("/sightings", json::array()),
+             Catch::Contains("sightings: expected at least one board in a picture, or readings"));
   CHECK_THAT(refusal("/sightings/3/camera", "side"), Catch::Contains("expected the key \"side\""));
   CHECK_THAT(refusal("/sightings/3/ids", json::array()), Catch::Contains("sightings[3].ids"));
   CHECK_THAT(refusal("/sightings/3/predicted/0/1", nullptr), Catch::Contains("sightings[3].predicted[0][1]"));

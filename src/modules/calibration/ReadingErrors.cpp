@@ -128,6 +128,27 @@ json toJson(const ReadingErrors& errors) {
   return result;
 }
 
+ErrorUnit errorUnitOf(const Measurements& measurements, const Noise& noise) {
+  if (measurements.cornerCount > 0) {
+    return {};
+  }
+  std::map<std::size_t, std::size_t> readings;
+  for (const ImageObservation& picture : measurements.pictures) {
+    for (const WitnessObservation& observation : picture.witnesses) {
+      const Witness::Part& part = observation.witness->parts().front();
+      readings[part.level] += observation.view ? 1 : 0;
+    }
+  }
+  const auto most = std::max_element(readings.begin(), readings.end(),
+                                     [](const auto& a, const auto& b) { return a.second < b.second; });
+  const double perAxis = sigmaOf(measurements, noise, most->first) / (std::sqrt(2.0) * noise.pixel);
+  return {"mm", 1e3 * std::sqrt(3.0) * perAxis};
+}
+
+json toJson(const ErrorUnit& unit) {
+  return {{"name", unit.name}, {"perPx", unit.perPx}};
+}
+
 std::vector<double> scaledDistances(const Measurements& measurements, const std::vector<WitnessResidual>& residuals,
                                     const Noise& noise) {
   std::vector<double> distances;

@@ -41,6 +41,16 @@ ReadingErrors summarizeReadings(const Measurements& measurements, const std::vec
 /// Keys `metres`, `radians`, `byMarker` and `contacts`, as far as there is something to say.
 nlohmann::json toJson(const ReadingErrors& errors);
 
+/// Unit in which people read errors that are computed in pixels (keys `*Px`).
+struct ErrorUnit {
+  std::string name = "px";
+  double perPx = 1;
+};
+
+/// Pixels; of a set without pictures millimetres of the instrument with the most readings: an error of as many sigmas.
+ErrorUnit errorUnitOf(const Measurements& measurements, const Noise& noise);
+nlohmann::json toJson(const ErrorUnit& unit);
+
 /// Error lengths of all witnesses relative to their noise, as distances of corners that are as far off [px]: per axis
 /// and in units of sigma, times `noise.pixel`.
 std::vector<double> scaledDistances(const Measurements& measurements, const std::vector<WitnessResidual>& residuals,

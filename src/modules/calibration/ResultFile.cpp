@@ -3,6 +3,7 @@
 #include "calibration/Calibration.hpp"
 #include "calibration/KnownEffects.hpp"
 #include "calibration/PlacementFile.hpp"
+#include "calibration/ReadingRecords.hpp"
 #include "calibration/Verdict.hpp"
 #include "data/SetSearch.hpp"
 #include "estimation/DriverState.hpp"
@@ -138,15 +139,20 @@ json effectsJson(const Model& model, const CalibrationResult& result) {
   return effects;
 }
 
-/// Noise of readings by instrument, and whether the set gave it or it was estimated.
-json readingNoiseJson(const Measurements& measurements, const Noise& noise) {
-  json result = json::object();
-  for (std::size_t i = 0; i < measurements.levels.size(); ++i) {
-    const ReadingLevel& level = measurements.levels[i];
-    result[level.name][level.unit == ReadingLevel::Unit::metres ? "metres" : "radians"] = {
-        {"sigma", sigmaOf(measurements, noise, i)}, {"source", level.isGiven ? "given" : "estimated"}};
+/// Every reading of an instrument, with its capture.
+json readingsJson(const FittedModel& fitted) {
+  json list = json::array();
+  for (const ReadingRecord& record : recordReadings(fitted)) {
+    const ImageObservation& picture = fitted.measurements.pictures[record.picture];
+    const Capture& capture = fitted.measurements.captureOf(picture);
+    list.push_back(toJson(record));
+    list.back().update({{"set", fitted.measurements.setOf(picture).name},
+                        {"capture", capture.id},
+                        {"pose", capture.pose},
+                        {"repeat", capture.repeat},
+                        {"time", capture.time.count()}});
   }
-  return result;
+  return list;
 }
 
 /// Standard errors of the estimated placements, keyed by "boardPlacement@A".
@@ -326,9 +332,13 @@ json resultJson(const FittedModel& fitted, const ResultSources& inputs) {
                     {"define", definitions(fitted.model)}}},
                   {"cameras", camerasJson(*fitted.measurements.sets)},
                   {"sightings", residualsJson(fitted.measurements, fitted.fit)}});
+  if (const ErrorUnit unit = errorUnitOf(fitted.measurements, fitted.fit.noise); unit.perPx != 1) {
+    result["errorUnit"] = toJson(unit);
+  }
   if (fitted.measurements.witnessCount > 0) {
     result.update(toJson(fitted.fit.readings));
-    result["noise"]["readings"] = readingNoiseJson(fitted.measurements, fitted.fit.noise);
+    result["noise"]["readings"] = toJson(readingLevels(fitted.measurements, fitted.fit.noise));
+    result["readings"] = readingsJson(fitted);
   }
   return result;
 }

@@ -99,24 +99,6 @@ Verdict verdictOf(const Diagnosis& diagnosis, const CalibrationResult& last, con
              : Verdict::adequate;
 }
 
-/// Millimetres of a point measured in three axes, for sets without pictures: of the level with the most readings.
-ErrorUnit errorUnitOf(const Measurements& measurements, const Noise& noise) {
-  if (measurements.cornerCount > 0) {
-    return {};
-  }
-  std::map<std::size_t, std::size_t> readings;
-  for (const ImageObservation& picture : measurements.pictures) {
-    for (const WitnessObservation& observation : picture.witnesses) {
-      const Witness::Part& part = observation.witness->parts().front();
-      readings[part.level] += observation.view ? 1 : 0;
-    }
-  }
-  const auto most = std::max_element(readings.begin(), readings.end(),
-                                     [](const auto& a, const auto& b) { return a.second < b.second; });
-  const double perAxis = sigmaOf(measurements, noise, most->first) / (std::sqrt(2.0) * noise.pixel);
-  return {"mm", 1e3 * std::sqrt(3.0) * perAxis};
-}
-
 /// Appends anomalies of captures without an earlier anomaly.
 void appendNewAnomalies(const std::vector<DataAnomaly>& further, std::vector<DataAnomaly>& suspicious) {
   const std::vector<DataAnomaly> before = suspicious;

@@ -14,7 +14,7 @@ namespace {
 Figures::Left buildResidualViews(const DiagnosedModel& diagnosed) {
   const FittedModel& fitted = diagnosed.fitted;
   return {computeJointCorrections(fitted.measurements, diagnosed.candidateTests), computeResidualField(fitted),
-          estimateBoardShapes(fitted)};
+          estimateBoardShapes(fitted), recordReadings(fitted), readingLevels(fitted.measurements, fitted.fit.noise)};
 }
 
 std::vector<std::string> labelsOf(const std::vector<CandidateFinding>& ranking) {

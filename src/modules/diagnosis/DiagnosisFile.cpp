@@ -126,6 +126,15 @@ Json anomalyJson(const DataAnomaly& anomaly) {
   return entry;
 }
 
+/// Errors of the captures that a model was fitted to, joint angles as read, in each kind's own unit.
+Json fittedErrorsJson(const CalibrationResult& fit) {
+  Json errors = toJson(fit.readings);
+  if (!fit.residuals.empty()) {
+    errors["pixels"] = {{"rms", fit.rmsPx}, {"median", fit.medianPx}};
+  }
+  return errors;
+}
+
 /// An array with the JSON of every element.
 template <typename T> Json listJson(const std::vector<T>& all, const std::function<Json(const T&)>& one) {
   Json result = Json::array();
@@ -167,7 +176,13 @@ Json diagnosisJson(const Diagnosis& diagnosis, std::size_t mostPoints) {
     }
   }
   if (diagnosis.unit.perPx != 1) {
-    result["errorUnit"] = {{"name", diagnosis.unit.name}, {"perPx", diagnosis.unit.perPx}};
+    result["errorUnit"] = toJson(diagnosis.unit);
+  }
+  if (!diagnosis.fit.readings.empty()) {
+    result["fitted"]["given"] = fittedErrorsJson(diagnosis.fit);
+    if (!diagnosis.with.empty()) {
+      result["fitted"]["suggested"] = fittedErrorsJson(diagnosis.lastFit);
+    }
   }
   result["steps"] = listJson<SelectionStep>(diagnosis.steps, stepJson);
   result["drivers"] = listJson<DriverCurve>(diagnosis.driverCurves, driverJson);

@@ -70,12 +70,6 @@ struct DataAnomaly {
   std::optional<int> from = {};    // id of the first capture after that
 };
 
-/// Unit in which people read errors that are computed in pixels.
-struct ErrorUnit {
-  std::string name = "px";
-  double perPx = 1;
-};
-
 /// One step of the selection: the model with one more effect.
 struct SelectionStep {
   std::string added;                // label; empty for the model as given

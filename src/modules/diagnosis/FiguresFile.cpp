@@ -170,6 +170,18 @@ Json shapesJson(const Figures& figures, const Figures::Left& left) {
   return result;
 }
 
+/// Adds the readings that are no corners, each with the picture it was taken with, and their noise; nothing without
+/// any.
+void addReadingsJson(const Figures::Left& left, std::size_t mostPoints, Json& views) {
+  for (const ReadingRecord& record : thinOut(left.readings, mostPoints)) {
+    views["readings"].push_back(toJson(record));
+    views["readings"].back()["picture"] = record.picture;
+  }
+  if (!left.readings.empty()) {
+    views["readingNoise"] = toJson(left.readingLevels);
+  }
+}
+
 Json residualViewsJson(const Figures& figures, const Figures::Left& left, std::size_t mostPoints) {
   Json cells = Json::array(), boards = Json::array();
   for (const ResidualField::Cell& cell : left.leftover.cells) {
@@ -188,9 +200,11 @@ Json residualViewsJson(const Figures& figures, const Figures::Left& left, std::s
                       {"distance", roundToDigits(seen.distance, 4)},
                       {"rmsPx", roundToDigits(seen.rmsPx, 3)}});
   }
-  return {{"whatIf", jointCorrectionsJson(figures, left, mostPoints)},
-          {"boardShapes", shapesJson(figures, left)},
-          {"withinPictures", {{"noisePx", left.leftover.noisePx}, {"cells", cells}, {"boards", boards}}}};
+  Json views{{"whatIf", jointCorrectionsJson(figures, left, mostPoints)},
+             {"boardShapes", shapesJson(figures, left)},
+             {"withinPictures", {{"noisePx", left.leftover.noisePx}, {"cells", cells}, {"boards", boards}}}};
+  addReadingsJson(left, mostPoints, views);
+  return views;
 }
 
 /// Adds the recorded drivers of every picture and the residuals of the models: "asGiven" and, after additions,

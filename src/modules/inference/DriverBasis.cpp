@@ -323,10 +323,20 @@ std::vector<DriverSeries> collectDrivers(const Measurements& measurements, const
   for (std::size_t joint : measurements.joints) {
     const std::string& name = measurements.robot.joints[joint].name;
     const auto index = static_cast<Eigen::Index>(joint);
-    add(drivers, {.kind = Driver::angle, .joint = joint, .name = name, .unit = "rad", .what = "the angle of " + name},
+    const bool slides = measurements.robot.joints[joint].isPrismatic;
+    add(drivers,
+        {.kind = Driver::angle,
+         .joint = joint,
+         .name = name,
+         .unit = slides ? "m" : "rad",
+         .what = (slides ? "the position of " : "the angle of ") + name},
         instants, [index](const RobotSample& instant) { return instant.q[index]; });
     add(drivers,
-        {.kind = Driver::torque, .joint = joint, .name = "tau_" + name, .unit = "Nm", .what = "the torque on " + name},
+        {.kind = Driver::torque,
+         .joint = joint,
+         .name = "tau_" + name,
+         .unit = slides ? "N" : "Nm",
+         .what = (slides ? "the force on " : "the torque on ") + name},
         instants, [index](const RobotSample& instant) { return instant.torque[index]; });
     add(drivers,
         {.kind = Driver::approach,
@@ -345,7 +355,12 @@ std::vector<DriverSeries> collectDrivers(const Measurements& measurements, const
          .motor = joint},
         instants, [index](const RobotSample& instant) { return instant.temperature[index]; });
     add(drivers,
-        {.kind = Driver::velocity, .joint = joint, .name = "qd", .unit = "rad/s", .what = "its speed", .motor = joint},
+        {.kind = Driver::velocity,
+         .joint = joint,
+         .name = "qd",
+         .unit = slides ? "m/s" : "rad/s",
+         .what = "its speed",
+         .motor = joint},
         instants, [index](const RobotSample& instant) { return instant.velocity[index]; });
   }
   add(drivers, {.kind = Driver::time, .name = "t", .unit = "s", .what = "time"}, instants,

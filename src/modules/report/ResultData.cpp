@@ -1,7 +1,9 @@
 #include "report/ResultData.hpp"
 
 #include "io/Units.hpp"
-#include "math/Angles.hpp"
+#include "report/PageValues.hpp"
+#include "report/ReadingsData.hpp"
+#include "report/ResultFacts.hpp"
 #include "report/SourceCaptures.hpp"
 
 #include <algorithm>
@@ -28,6 +30,12 @@ std::string spaced(const std::string& name) {
   return words;
 }
 
+/// "NAO V6"; of other robots the name alone.
+std::string nameRobot(const std::string& model) {
+  const bool isNao = model.size() == 2 && model[0] == 'V' && std::isdigit(static_cast<unsigned char>(model[1]));
+  return isNao ? "NAO " + model : model;
+}
+
 /// The averaged estimate if alternative models were tested, otherwise that of the model, which is also given as
 /// `fitted`.
 json estimateJson(const std::string& name, const JsonCursor& unknown, double scale) {
@@ -44,6 +52,45 @@ json estimateJson(const std::string& name, const JsonCursor& unknown, double sca
           {"learned", unknown.at("learned").number({-1e15, 1, ""})}};
 }
 
+/// Joint readings of a capture, as people read them.
+json jointsJson(const SourceCaptures& sources, const std::string& set, int capture) {
+  json joints = json::object();
+  for (const auto& [joint, reading] : sources.jointReadings(set, capture)) {
+    const auto [unit, scale] = displayUnit(reading.unit);
+    joints[joint] = roundToDecimals(scale * reading.value, 2);
+  }
+  return joints;
+}
+
+/// Units of the joints that do not read in degrees.
+json jointUnitsJson(const SourceCaptures& sources) {
+  json units = json::object();
+  for (const auto& [joint, unit] : sources.jointUnits()) {
+    if (const std::string shown = displayUnit(unit).first; shown != "°") {
+      units[joint] = shown;
+    }
+  }
+  return units;
+}
+
+/// The captures of a result's readings that are no corners, in the order of those.
+json readCapturesJson(const JsonCursor& result, const SourceCaptures& sources) {
+  json captures = json::array();
+  const auto readings = result.find("readings");
+  for (const JsonCursor& reading : readings ? readings->elements() : std::vector<JsonCursor>{}) {
+    const std::string set = label(reading.at("set"));
+    const int capture = reading.at("capture").integer(0, maxInteger);
+    captures.push_back({{"set", set},
+                        {"capture", capture},
+                        {"pose", label(reading.at("pose"))},
+                        {"repeat", reading.at("repeat").integer(0, maxInteger)},
+                        {"time", reading.at("time").number({-1e12, 1e12, "s"})},
+                        {"camera", ""},
+                        {"angles", jointsJson(sources, set, capture)}});
+  }
+  return captures;
+}
+
 /// The images, worst first; includes photographs up to a total size that keeps the page small.
 json picturesJson(const std::vector<PictureRecord>& seen, const SourceCaptures& sources) {
   constexpr std::size_t mostPhotographs = 3'000'000; // [bytes]
@@ -51,10 +98,7 @@ json picturesJson(const std::vector<PictureRecord>& seen, const SourceCaptures& 
   std::size_t photographs = 0;
   for (const PictureRecord& one : seen) {
     json picture = pictureJson(one);
-    picture["angles"] = json::object();
-    for (const auto& [joint, angle] : sources.angles(one)) {
-      picture["angles"][joint] = roundToDecimals(degrees(angle), 2);
-    }
+    picture["angles"] = jointsJson(sources, one.set, one.capture);
     if (const auto file = photographs < mostPhotographs ? sources.image(one) : std::nullopt) {
       if (auto photograph = makeThumbnail(*file, {one.width, one.height})) {
         photographs += photograph->size();
@@ -90,48 +134,6 @@ json boardJson(const BoardInPicture& seen) {
   return board;
 }
 
-double numberAt(const JsonCursor& place, const std::string& key) {
-  return place.at(key).number({-1e15, 1e15, ""});
-}
-
-Fact cornerFact(const JsonCursor& result, std::size_t pictures, std::optional<double> drawingRms) {
-  const double rms = numberAt(result, "rmsPx");
-  const std::string where =
-      fmt::format("rms distance between {:.0f} measured corners in {} pictures and where the result predicts them",
-                  numberAt(result, "corners"), pictures);
-  if (!drawingRms) {
-    return {fmt::format("{:.2f} px", rms), where + fmt::format(" (median {:.2f} px).", numberAt(result, "medianPx"))};
-  }
-  return {fmt::format("{:.3g} → {:.2f} px", *drawingRms, rms),
-          where + "; the first number is with the robot's drawing alone, boards where they fit best."};
-}
-
-Fact noiseFact(const JsonCursor& noise) {
-  const bool told = noise.at("source").text() == "repeats";
-  const double stance = numberAt(noise, "stance");
-  return {fmt::format("{:.2g} px", numberAt(noise, "pixel")),
-          fmt::format("noise of a corner per axis; {:.3f}° of an encoder's reading; {:.3f}° of a joint from pose to "
-                      "pose{}: {}.",
-                      degrees(numberAt(noise, "encoder")), degrees(numberAt(noise, "pose")),
-                      stance > 0 ? fmt::format("; {:.3f}° more wherever the robot stands anew", degrees(stance)) : "",
-                      told ? "measured from poses that were taken more than once"
-                           : "partly assumed, because no pose was taken more than once")};
-}
-
-/// The noise floor, and how often noise alone would give such evidence for a missing effect.
-Fact misfitFact(const JsonCursor& result) {
-  const double p = numberAt(result, "pValue");
-  const std::string chance =
-      p >= 0.05 ? "the best candidate for more is no more striking than pure noise."
-      : p >= 0.001
-          ? fmt::format("if nothing were missing, evidence this strong for a cause would turn up once in {:.0f} "
-                        "calibrations.",
-                        1 / p)
-          : "if nothing were missing, evidence this strong for a cause would turn up less than once in 1000 "
-            "calibrations.";
-  return {fmt::format("{:.2f} px", numberAt(result, "noiseFloorPx")), "is the noise floor; " + chance};
-}
-
 } // namespace
 
 json estimatesData(const JsonCursor& effects) {
@@ -155,7 +157,7 @@ json estimatesData(const JsonCursor& effects) {
 
 json resultData(const JsonCursor& result, const SourceCaptures& sources) {
   const VerdictWords words = verdictWords(result);
-  json data{{"robot", result.at("model").at("robot").text()},
+  json data{{"robot", nameRobot(result.at("model").at("robot").text())},
             {"verdict", result.at("verdict").text()},
             {"headline", words.headline},
             {"sentence", words.sentence},
@@ -165,9 +167,12 @@ json resultData(const JsonCursor& result, const SourceCaptures& sources) {
             {"groups", estimatesData(result.at("effects"))},
             {"pixelNoise", result.at("noise").at("pixel").number({0, 1e6, "px"})},
             {"pictures", picturesJson(readPictures(result), sources)},
+            {"readings", readingsOfResult(result)},
+            {"captures", readCapturesJson(result, sources)},
+            {"jointUnits", jointUnitsJson(sources)},
             {"sets", sources.names()},
             {"missing", sources.unavailable()}};
-  for (const auto& [figure, sentence] : facts(result, data["pictures"].size(), sources.nominalRms())) {
+  for (const auto& [figure, sentence] : facts(result, data["pictures"].size(), sources.drawingErrors())) {
     data["facts"].push_back({{"figure", figure}, {"sentence", sentence}});
   }
   for (const JsonCursor& direction : result.at("weak").elements()) {
@@ -178,11 +183,6 @@ json resultData(const JsonCursor& result, const SourceCaptures& sources) {
   return data;
 }
 
-double roundToDecimals(double value, int decimals) {
-  const double scale = std::pow(10.0, decimals);
-  return std::round(value * scale) / scale;
-}
-
 json pictureJson(const PictureRecord& seen) {
   json picture{{"set", seen.set},       {"capture", seen.capture}, {"pose", seen.pose},
                {"repeat", seen.repeat}, {"time", seen.time},       {"camera", seen.camera},
@@ -191,30 +191,6 @@ json pictureJson(const PictureRecord& seen) {
     picture["boards"].push_back(boardJson(board));
   }
   return picture;
-}
-
-VerdictWords verdictWords(const JsonCursor& result) {
-  const std::string said = result.at("sentence").text(), between = ": ";
-  const std::size_t colon = said.find(between);
-  if (colon == said.npos) {
-    return {said, ""};
-  }
-  std::string rest = said.substr(colon + between.size());
-  if (!rest.empty() && rest.front() >= 'a' && rest.front() <= 'z') {
-    rest.front() = static_cast<char>(rest.front() - 'a' + 'A');
-  }
-  return {said.substr(0, colon) + ".", std::move(rest)};
-}
-
-std::vector<Fact> facts(const JsonCursor& result, std::size_t pictures, std::optional<double> drawingRms) {
-  std::vector<Fact> all{cornerFact(result, pictures, drawingRms), misfitFact(result), noiseFact(result.at("noise"))};
-  if (const double floor = numberAt(result, "floorErrorAt2m"); floor > 0) {
-    all.insert(all.begin() + 1,
-               {fmt::format("± {:.1f} mm", 1000 * floor),
-                "is how far off the robot will see a point on the floor 2 m ahead (1 sigma); below 50 mm is good "
-                "enough to play."});
-  }
-  return all;
 }
 
 } // namespace naocal

@@ -5,6 +5,7 @@
 #include "io/Files.hpp"
 #include "io/GreyImage.hpp"
 #include "io/InputError.hpp"
+#include "report/PageValues.hpp"
 #include "robot/RobotOfSet.hpp"
 
 #include <algorithm>
@@ -51,11 +52,6 @@ BoardInPicture seenBoard(const JsonCursor& place) {
   board.fitted = points(place.at("fitted"), count);
   board.weight = place.at("weight").numbers(count, {0, 1, ""}, "one per corner");
   return board;
-}
-
-/// A text that may be empty.
-std::string label(const JsonCursor& place) {
-  return place.value().is_string() ? place.value().get<std::string>() : place.text();
 }
 
 PictureRecord seenPicture(const JsonCursor& place, const JsonCursor& cameras) {
@@ -111,9 +107,9 @@ std::vector<PictureRecord> readPictures(const JsonCursor& result) {
     pictures.try_emplace({picture.set, picture.capture}, picture)
         .first->second.boards.push_back(seenBoard(observation));
   }
-  if (pictures.empty()) {
-    observations.refuse("at least one board in a picture, which is what a report shows",
-                        "none, as of a set with readings of trackers or contacts only");
+  const auto readings = result.find("readings");
+  if (pictures.empty() && (!readings || readings->elements().empty())) {
+    observations.refuse("at least one board in a picture, or readings of trackers or contacts", "neither");
   }
   std::vector<PictureRecord> sorted;
   for (auto& [key, picture] : pictures) {
@@ -147,20 +143,33 @@ SourceCaptures::SourceCaptures(const JsonCursor& result, const SetSearch& search
       missing_.emplace_back(error.what());
     }
   }
+  addJointUnits();
 }
 
-std::map<std::string, double> SourceCaptures::angles(const PictureRecord& picture) const {
-  std::map<std::string, double> result;
-  const auto source = unchanged_.find(picture.set);
+void SourceCaptures::addJointUnits() {
+  for (const auto& [name, source] : unchanged_) {
+    try {
+      for (const Joint& joint : loadRobot(source.set).joints) {
+        jointUnits_[joint.name] = joint.isPrismatic ? "m" : "rad";
+      }
+    } catch (const InputError&) { // no drawing of this robot
+    }
+  }
+}
+
+std::map<std::string, JointReading> SourceCaptures::jointReadings(const std::string& setName, int id) const {
+  std::map<std::string, JointReading> result;
+  const auto source = unchanged_.find(setName);
   if (source == unchanged_.end()) {
     return result;
   }
   const CaptureSet& set = source->second.set;
-  const auto capture = std::find_if(set.captures.begin(), set.captures.end(),
-                                    [&](const Capture& candidate) { return candidate.id == picture.capture; });
+  const auto capture =
+      std::find_if(set.captures.begin(), set.captures.end(), [&](const Capture& one) { return one.id == id; });
   for (std::size_t i = 0; capture != set.captures.end() && i < set.jointNames.size(); ++i) {
     if (std::isfinite(capture->joints.measured[i])) {
-      result[set.jointNames[i]] = capture->joints.measured[i];
+      const auto unit = jointUnits_.find(set.jointNames[i]);
+      result[set.jointNames[i]] = {capture->joints.measured[i], unit == jointUnits_.end() ? "rad" : unit->second};
     }
   }
   return result;
@@ -174,7 +183,7 @@ std::optional<fs::path> SourceCaptures::image(const PictureRecord& picture) cons
   return file && fs::is_regular_file(*file, ignored) ? file : std::nullopt;
 }
 
-std::optional<double> SourceCaptures::nominalRms() const {
+std::optional<DrawingErrors> SourceCaptures::drawingErrors() const {
   std::vector<CaptureSet> sets;
   for (const auto& [name, source] : unchanged_) {
     sets.push_back(source.set);
@@ -183,8 +192,8 @@ std::optional<double> SourceCaptures::nominalRms() const {
     return std::nullopt;
   }
   try {
-    const Robot robot = loadRobot(sets.front());
-    return compare(StoredResult{}, sets, robot, false).nominal.rmsPx;
+    const Comparison comparison = compare(StoredResult{}, sets, loadRobot(sets.front()), false);
+    return DrawingErrors{comparison.nominal.rmsPx, comparison.nominalReadings};
   } catch (const InputError&) { // no drawing of this robot, or corners behind a camera
     return std::nullopt;
   }

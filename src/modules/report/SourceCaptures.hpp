@@ -4,6 +4,7 @@
 #include "data/SetSearch.hpp"
 #include "io/GreyImage.hpp"
 #include "io/JsonReader.hpp"
+#include "report/ResultFacts.hpp"
 
 #include <Eigen/Core>
 #include <filesystem>
@@ -40,8 +41,15 @@ struct PictureRecord {
   double rms() const;
 };
 
-/// The images of a result file, worst first. Throws InputError with place, expectation and finding.
+/// The images of a result file, worst first; none if it has only other readings. Throws InputError with place,
+/// expectation and finding.
 std::vector<PictureRecord> readPictures(const JsonCursor& result);
+
+/// What a joint read [rad], or [m] if it slides.
+struct JointReading {
+  double value = 0;
+  std::string unit = "rad";
+};
 
 /// The capture sets of a result, as far as they are still available and unchanged (SHA-256).
 class SourceCaptures {
@@ -49,16 +57,18 @@ public:
   /// Looks for the sets at their places, near the result file and in folders that the user names (`findSet`).
   SourceCaptures(const JsonCursor& result, const SetSearch& search);
 
-  /// Joint readings of an image by joint name [rad]; empty if its set is unavailable or has changed.
-  std::map<std::string, double> angles(const PictureRecord& picture) const;
+  /// Joint readings of a capture by joint name; empty if its set is unavailable or has changed.
+  std::map<std::string, JointReading> jointReadings(const std::string& set, int capture) const;
+  /// Units of all joints of the sets that are available: "rad", or "m" of one that slides.
+  const std::map<std::string, std::string>& jointUnits() const { return jointUnits_; }
 
   /// The stored file of an image; absent if its set is unavailable or has changed, or if the path leads out of the
   /// set's folder.
   std::optional<std::filesystem::path> image(const PictureRecord& picture) const;
 
-  /// RMS error of the corners with the drawing alone, floor boards fitted [px]. Absent if a set is unavailable or has
-  /// changed.
-  std::optional<double> nominalRms() const;
+  /// Errors with the drawing alone, floor boards and other unknown placements fitted. Absent if a set is unavailable or
+  /// has changed.
+  std::optional<DrawingErrors> drawingErrors() const;
 
   /// One sentence per unavailable set.
   const std::vector<std::string>& unavailable() const { return missing_; }
@@ -72,7 +82,10 @@ private:
     std::filesystem::path folder;
     CaptureSet set;
   };
+  void addJointUnits();
+
   std::map<std::string, Source> unchanged_; // by set name
+  std::map<std::string, std::string> jointUnits_;
   std::vector<std::string> missing_, moved_, names_;
 };
 

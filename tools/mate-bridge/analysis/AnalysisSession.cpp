@@ -12,6 +12,7 @@
 #include "io/Files.hpp"
 #include "io/InputError.hpp"
 #include "poses/PoseFile.hpp"
+#include "report/ReadingsData.hpp"
 #include "report/ReportPage.hpp"
 
 #include <algorithm>
@@ -76,6 +77,8 @@ void AnalysisSession::tellSet(const ModelRevision& rung) {
                 {"pictures", measurements_.pictures.size()},
                 {"poses", measurements_.poses.size()},
                 {"corners", measurements_.cornerCount},
+                {"readings", measurements_.witnessCount},
+                {"isNao", isNao()},
                 {"joints", std::move(joints)},
                 {"own", Json::parse(rung.definitions)},
                 {"effects", effectsJson(effects(rung))}});
@@ -84,9 +87,9 @@ void AnalysisSession::tellSet(const ModelRevision& rung) {
 void AnalysisSession::tellLadder() const {
   Json rungs = Json::array();
   for (const ModelRevision& rung : session_.ladder) {
-    rungs.push_back(revisionPanelJson(rung));
+    rungs.push_back(revisionPanelJson(rung, errors_));
   }
-  tell_("ladder", {{"at", session_.at}, {"rungs", std::move(rungs)}});
+  tell_("ladder", {{"at", session_.at}, {"unit", errors_.name}, {"rungs", std::move(rungs)}});
 }
 
 void AnalysisSession::keepSession() const {
@@ -107,6 +110,7 @@ void AnalysisSession::enter(Session session) {
   const Model model = buildModel(measurements_, rung.with, rung.without, effects(rung));
   const CalibrationResult result = calibrate(measurements_, model);
   rung.rmsPx = result.rmsPx;
+  errors_ = errorUnitOf(measurements_, result.noise);
   const Json document = resultJson({measurements_, model, result}, opened_.inputs);
   Json told = fitJson(document, opened_, {measurements_, model, result});
   told["with"] = rung.with;
@@ -223,7 +227,14 @@ Json AnalysisSession::checkEffect(const Json& effect) const {
   }
 }
 
+bool AnalysisSession::isNao() const {
+  return opened_.sets.front().urdf.empty();
+}
+
 void AnalysisSession::proposePoses(std::size_t count) {
+  if (!isNao()) {
+    throw InputError{"poses are planned for NAOs only"};
+  }
   NextPosesOptions wanted;
   wanted.count = count;
   next_ = proposeNextPoses(measurements_, diagnosis(), options(session_.current()), wanted);
@@ -235,6 +246,7 @@ void AnalysisSession::proposePoses(std::size_t count) {
 void AnalysisSession::compareWith(const Dataset& others) {
   const StoredResult stored = parseResult(result_, "result.json");
   Json told = comparisonJson(compare(stored, others.sets, opened_.robot, false));
+  told["kinds"] = comparedKindsData(JsonCursor{told, "the comparison"});
   told["names"] = others.inputs.sets;
   tell_("compared", told);
 }

@@ -63,11 +63,13 @@ private:
   void enter(Session session);
   DiagnosisOptions options(const ModelRevision& rung) const;
   const Diagnosis& diagnosis();
+  bool isNao() const;
 
   const Dataset opened_;
   const Measurements measurements_;
   MessageSink tell_;
   Session session_;
+  ErrorUnit errors_;                   // of the model that was fitted last
   std::string toldDefinitions_;        // custom effects last reported
   nlohmann::json result_;              // RESULT.json document of the current model
   std::optional<Diagnosis> diagnosis_; // of the current model; absent: not tested yet

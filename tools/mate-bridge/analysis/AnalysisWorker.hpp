@@ -78,9 +78,9 @@ public:
 
   /// Replaces the analysis. Throws InputError for captures that do not match the robot.
   void setDataset(Dataset opened);
-  /// Opens captures asynchronously and analyses them; then calls `opened`, or on failure `refused` with the reason. Sends
-  /// "missing" to every panel if a document's captures were not found, also in `lookIn`, and "moved" if they were found
-  /// elsewhere than it says.
+  /// Opens captures asynchronously and analyses them; then calls `opened`, or on failure `refused` with the reason.
+  /// Sends "missing" to every panel if a document's captures were not found, also in `lookIn`, and "moved" if they were
+  /// found elsewhere than it says.
   void open(
       const std::vector<std::string>& paths, std::function<void(const std::string& problem)> refused,
       std::function<void()> opened = [] {}, const std::vector<std::filesystem::path>& lookIn = {});

@@ -10,7 +10,10 @@
 #include "math/Angles.hpp"
 #include "math/LinearAlgebra.hpp"
 #include "report/DiagnosisData.hpp"
+#include "report/PageValues.hpp"
+#include "report/ReadingsData.hpp"
 #include "report/ResultData.hpp"
+#include "report/ResultFacts.hpp"
 
 #include <map>
 #include <nlohmann/json.hpp>
@@ -38,7 +41,7 @@ Json driversJson(const std::vector<DriverSeries>& drivers, const Robot& robot) {
 }
 
 /// Suggested plots, and joint errors for plotting in place of corner errors: a joint's points are [pictures, error,
-/// sigma] [°].
+/// sigma] in the joint's unit.
 Json tellingJson(const TellingPairs& telling, const std::vector<DriverSeries>& drivers, const Robot& robot) {
   constexpr std::size_t mostPairs = 6;
   const auto errorOf = [&](const TellingPair& pair) -> std::string {
@@ -63,25 +66,47 @@ Json tellingJson(const TellingPairs& telling, const std::vector<DriverSeries>& d
     }
   }
   for (const SingleJointCorrection& joint : telling.joints) {
+    const auto [unit, scale] = displayUnit(robot.joints[joint.motor].isPrismatic ? "m" : "rad");
     Json points = Json::array();
     for (const JointCorrection& point : joint.points) {
       points.push_back(
-          {point.pictures, roundToDecimals(degrees(point.deflection), 4), roundToDecimals(degrees(point.sigma), 4)});
+          {point.pictures, roundToDecimals(scale * point.deflection, 4), roundToDecimals(scale * point.sigma, 4)});
     }
-    joints.push_back({{"joint", robot.joints[joint.motor].name}, {"points", std::move(points)}});
+    joints.push_back({{"joint", robot.joints[joint.motor].name}, {"unit", unit}, {"points", std::move(points)}});
   }
   return {{"sentence", formatTellingSentence(telling, drivers, robot)},
           {"pairs", std::move(pairs)},
           {"joints", std::move(joints)}};
 }
 
-/// The images, worst first; `index` is their index in the drivers' values.
-Json picturesJson(const Dataset& opened, const Measurements& measurements, const JsonCursor& result) {
-  std::map<std::pair<std::string, int>, std::size_t> indices;
+/// Index of each capture in the drivers' values, by set and id.
+using CaptureIndices = std::map<std::pair<std::string, int>, std::size_t>;
+
+CaptureIndices indicesOf(const Dataset& opened, const Measurements& measurements) {
+  CaptureIndices indices;
   for (std::size_t i = 0; i < measurements.pictures.size(); ++i) {
     const CaptureSet& set = opened.sets[measurements.pictures[i].set];
     indices[{set.name, set.captures[measurements.pictures[i].capture].id}] = i;
   }
+  return indices;
+}
+
+/// The captures of the readings that are no corners, in the order of those.
+Json readCapturesJson(const CaptureIndices& indices, const Json& document) {
+  Json list = Json::array();
+  for (const Json& reading : document.value("readings", Json::array())) {
+    Json capture{{"camera", ""}};
+    for (const char* key : {"set", "capture", "pose", "repeat", "time"}) {
+      capture[key] = reading[key];
+    }
+    capture["index"] = indices.at({reading["set"].get<std::string>(), reading["capture"].get<int>()});
+    list.push_back(std::move(capture));
+  }
+  return list;
+}
+
+/// The images, worst first; `index` is their index in the drivers' values.
+Json picturesJson(const CaptureIndices& indices, const JsonCursor& result) {
   Json list = Json::array();
   for (const PictureRecord& seen : readPictures(result)) {
     list.push_back(pictureJson(seen));
@@ -115,13 +140,15 @@ Json fitJson(const Json& document, const Dataset& opened, const FittedModel& fit
   const VerdictWords words = verdictWords(place);
   const std::vector<DriverSeries> drivers = collectDrivers(fitted.measurements, fitted.model, fitted.fit.unknowns);
   const TellingPairs telling = findTellingPairs(fitted, drivers);
+  const CaptureIndices indices = indicesOf(opened, fitted.measurements);
+  const ErrorUnit errors = errorUnitOf(fitted.measurements, fitted.fit.noise);
   Json fit{{"usable", fitted.fit.usable},
            {"verdict", toString(fitted.fit.verdict)},
            {"headline", words.headline},
            {"sentence", words.sentence},
            {"warnings", toSentences(fitted.fit.warnings)},
-           {"rms", fitted.fit.rmsPx},
-           {"median", fitted.fit.medianPx},
+           {"rms", errors.perPx * fitted.fit.rmsPx},
+           {"median", errors.perPx * fitted.fit.medianPx},
            {"pValue", fitted.fit.pValue},
            {"pixelNoise", fitted.fit.noise.pixel},
            {"corners", fitted.measurements.cornerCount},
@@ -130,7 +157,9 @@ Json fitJson(const Json& document, const Dataset& opened, const FittedModel& fit
            {"terms", document["model"]["terms"]},
            {"compensation", compensationJson(fitted)}, // [deg], mounts [rad]
            {"facts", Json::array()},
-           {"pictures", picturesJson(opened, fitted.measurements, place)},
+           {"pictures", picturesJson(indices, place)},
+           {"readings", readingsOfResult(place)},
+           {"captures", readCapturesJson(indices, document)},
            {"drivers", driversJson(drivers, fitted.measurements.robot)},
            {"telling", tellingJson(telling, drivers, fitted.measurements.robot)}};
   for (const auto& [figure, sentence] : facts(place, fit["pictures"].size(), std::nullopt)) {
@@ -161,14 +190,14 @@ Json diagnosisPanelJson(const Diagnosis& diagnosis) {
   return diagnosisData(JsonCursor{document, "the diagnosis"});
 }
 
-Json revisionPanelJson(const ModelRevision& rung) {
-  Json json{{"with", rung.with}, {"without", rung.without}, {"step", rung.step}, {"rms", rung.rmsPx}};
+Json revisionPanelJson(const ModelRevision& rung, const ErrorUnit& errors) {
+  Json json{{"with", rung.with}, {"without", rung.without}, {"step", rung.step}, {"rms", errors.perPx * rung.rmsPx}};
   json["from"] = rung.from ? Json(*rung.from) : Json(nullptr);
   if (rung.questioned) {
     if (rung.questioned->heldOutPx) {
-      json["heldOut"] = *rung.questioned->heldOutPx;
+      json["heldOut"] = errors.perPx * *rung.questioned->heldOutPx;
     }
-    json["floor"] = rung.questioned->noiseFloorPx;
+    json["floor"] = errors.perPx * rung.questioned->noiseFloorPx;
     json["alarm"] = rung.questioned->alarm;
   }
   return json;

@@ -18,7 +18,7 @@ nlohmann::json effectsJson(const std::vector<Effect>& effects);
 /// A diagnosis in the format of the report.
 nlohmann::json diagnosisPanelJson(const Diagnosis& diagnosis);
 
-/// A model revision for the panel's history.
-nlohmann::json revisionPanelJson(const ModelRevision& rung);
+/// A model revision for the panel's history, with errors in the unit of the captures' errors.
+nlohmann::json revisionPanelJson(const ModelRevision& rung, const ErrorUnit& errors);
 
 } // namespace naocal

@@ -133,8 +133,9 @@ int diagnose(DiagnoseCommand& command) {
       command.folds > 0 ? validate(command, measurements, diagnosis) : nlohmann::json(nullptr);
   if (!command.json.empty()) {
     nlohmann::json json = diagnosisJson(diagnosis, command.full ? allOfThem : drawable);
-    json["next"] = isNao(measurements) ? nextPosesJson(next, given.robot)
-                                       : nlohmann::json{{"poses", nlohmann::json::array()}, {"why", next.whyNone}};
+    json["next"] = isNao(measurements)
+                       ? nextPosesJson(next, given.robot)
+                       : nlohmann::json{{"poses", nlohmann::json::array()}, {"why", ""}, {"whyNone", next.whyNone}};
     if (command.folds > 0) {
       json["crossValidated"] = validated;
     }

@@ -141,14 +141,20 @@ void ExploreLoop::undo() {
 }
 
 void ExploreLoop::printLadder() const {
+  const auto words = [&](double error) {
+    return fmt::format("{:6.3f} {}", latest_.unit.perPx * error, latest_.unit.name);
+  };
   printText("  {:>3}  {:>9}  {:>9}  {:>9}  {:>7}  model (*: current)\n", "", "rms", "held-out", "floor", "chance");
   for (std::size_t i = 0; i < session_.ladder.size(); ++i) {
     const ModelRevision& rung = session_.ladder[i];
     const auto& step = rung.questioned;
-    const std::string heldOut = step && step->heldOutPx ? fmt::format("{:6.3f} px", *step->heldOutPx) : "-";
-    printText("{} {:>3}  {:6.3f} px  {:>9}  {:>9}  {:>7}  {}\n", i == session_.at ? '*' : ' ', i, rung.rmsPx, heldOut,
-              step ? fmt::format("{:6.3f} px", step->noiseFloorPx) : "-",
-              step ? fmt::format("{:7.3f}", step->alarm) : "-", modelWords(rung));
+    const std::string heldOut = step && step->heldOutPx ? words(*step->heldOutPx) : "-";
+    printText("{} {:>3}  {}  {:>9}  {:>9}  {:>7}  {}\n", i == session_.at ? '*' : ' ', i, words(rung.rmsPx), heldOut,
+              step ? words(step->noiseFloorPx) : "-", step ? fmt::format("{:7.3f}", step->alarm) : "-",
+              modelWords(rung));
+  }
+  if (!latest_.fit.readings.empty()) {
+    printText("  readings, rms with the current model: {}\n", formatSizes(latest_.fit.readings));
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "calibration/ReadingRecords.hpp"
 #include "diagnosis/evidence/Aliasing.hpp"
 #include "diagnosis/views/BoardShape.hpp"
 #include "diagnosis/views/ResidualField.hpp"
@@ -42,6 +43,8 @@ struct Figures {
     std::vector<SingleJointCorrection> whatIfs; // per joint: its deflection that would explain each pose's misfit
     ResidualField leftover;                     // what no rigid motion of a picture explains
     std::vector<BoardShape> shapes;
+    std::vector<ReadingRecord> readings;
+    std::vector<ReadingLevel> readingLevels; // their noise
   };
   CaptureIndex taken;                 // poses and pictures as indexed by the figures
   AliasMatrix aliases;                // first candidates of the ranking, in the model as given

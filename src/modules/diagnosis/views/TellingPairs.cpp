@@ -98,6 +98,24 @@ struct PlottableErrors {
   }
 };
 
+/// Sum of the squared errors of readings that are no corners, on the scale of pixels: an error of as many sigmas.
+double readingSquares(const FittedModel& fitted) {
+  const Measurements& measurements = fitted.measurements;
+  const Noise& noise = fitted.fit.noise;
+  if (measurements.witnessCount == 0) {
+    return 0;
+  }
+  double result = 0;
+  const Residuals residuals{measurements, fitted.model, noise, fitted.fit.loss};
+  for (const WitnessResidual& one : residuals.witnessResiduals(fitted.fit.state)) {
+    for (const Witness::Part& part : measurements.pictures[one.picture].witnesses[one.witness].witness->parts()) {
+      const double scale = noise.pixel / sigmaOf(measurements, noise, part.level);
+      result += scale * scale * one.residual.segment(part.first, part.count).squaredNorm();
+    }
+  }
+  return result;
+}
+
 PlottableErrors collectErrors(const FittedModel& fitted, const std::vector<SingleJointCorrection>& joints) {
   const std::vector<std::size_t> blocks = blocksOfPictures(fitted.measurements);
   PlottableErrors result;
@@ -226,20 +244,21 @@ std::string formatDriver(const TellingPair& pair, const std::vector<DriverSeries
                                      : "the row in the picture";
 }
 
-/// "6.0 px", "-0.41°"; two significant digits.
-std::string formatAmount(const TellingPair& pair, double value) {
-  const double shown = pair.error == Error::joint ? degrees(value) : value;
+/// "6.0 px", "-0.41°", "0.35 mm" of a joint that slides; two significant digits.
+std::string formatAmount(const TellingPair& pair, double value, const Robot& robot) {
+  const bool isJoint = pair.error == Error::joint, slides = isJoint && robot.joints[pair.motor].isPrismatic;
+  const std::string unit = slides ? "mm" : isJoint ? "°" : "px";
+  const double shown = slides ? 1000 * value : isJoint ? degrees(value) : value;
   const double size = std::abs(shown);
   const int digits = size < 0.0995 ? 3 : size < 0.995 ? 2 : size < 9.95 ? 1 : 0;
-  return (shown < 0 ? "−" : "") +
-         appendUnit(fmt::format("{:.{}f}", size, digits), pair.error == Error::joint ? "°" : "px");
+  return (shown < 0 ? "−" : "") + appendUnit(fmt::format("{:.{}f}", size, digits), unit);
 }
 
 /// For example "go from A to B as the torque on LHipPitch grows".
 std::string formatChange(const TellingPair& pair, const std::vector<DriverSeries>& drivers, const Robot& robot) {
   const bool one = pair.error == Error::joint; // singular
-  const std::string over = formatDriver(pair, drivers, robot), from = formatAmount(pair, pair.from),
-                    to = formatAmount(pair, pair.to);
+  const std::string over = formatDriver(pair, drivers, robot), from = formatAmount(pair, pair.from, robot),
+                    to = formatAmount(pair, pair.to, robot);
   const DriverSeries* const driver = findDriver(pair, drivers);
   if (driver != nullptr && driver->kind == Driver::approach) {
     return fmt::format("{} {} where {} was approached from below and {} from above", one ? "is" : "are", to,
@@ -251,8 +270,8 @@ std::string formatChange(const TellingPair& pair, const std::vector<DriverSeries
   }
   constexpr double monotone = 0.8; // share of the curve's span between its ends, from which it counts as monotone
   if (std::abs(pair.to - pair.from) < monotone * (pair.most - pair.least)) {
-    return fmt::format("{} between {} and {} with {}", one ? "varies" : "vary", formatAmount(pair, pair.least),
-                       formatAmount(pair, pair.most), over);
+    return fmt::format("{} between {} and {} with {}", one ? "varies" : "vary", formatAmount(pair, pair.least, robot),
+                       formatAmount(pair, pair.most, robot), over);
   }
   const std::string go = one ? "goes" : "go";
   if (driver == nullptr) {
@@ -283,7 +302,7 @@ TellingPairs findTellingPairs(const FittedModel& fitted, const std::vector<Drive
     result.tried += trends.back().isTestable();
   }
   const std::vector<double> chances = computeFamilyWiseChances(trends, options.draws, options.seed);
-  const double squares = errors.squares();
+  const double squares = errors.squares() + readingSquares(fitted);
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (chances[i] <= options.alarm) {
       TellingPair& pair = result.pairs.emplace_back(all[i].pair);
@@ -326,10 +345,10 @@ std::string formatTellingSentence(const TellingPair& pair, const std::vector<Dri
       driver != nullptr && driver->kind == Driver::approach && pair.from * pair.to < 0 && small > turned * large;
   std::string text = errorWords(pair, robot);
   if (turns) {
-    const std::string size =
-        small > even * large
-            ? "±" + formatAmount(pair, (small + large) / 2)
-            : fmt::format("{} from below, {} from above", formatAmount(pair, pair.to), formatAmount(pair, pair.from));
+    const std::string size = small > even * large
+                                 ? "±" + formatAmount(pair, (small + large) / 2, robot)
+                                 : fmt::format("{} from below, {} from above", formatAmount(pair, pair.to, robot),
+                                               formatAmount(pair, pair.from, robot));
     text += fmt::format(" ({}) {} sign with {}", size, pair.error == Error::joint ? "changes" : "change",
                         formatDriver(pair, drivers, robot));
   } else {

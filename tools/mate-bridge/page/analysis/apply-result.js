@@ -69,7 +69,7 @@ function question(what, {robot, fit, changes, earlier, leave}) {
 
 export function applying(fit, again) {
   const robot = selectedRobot(), entry = robot && robots.get(robot);
-  if (!entry || !entry.connected || !entry.mounts.some(({key}) => key === offsetsMount)) return [];
+  if (!state.set.isNao || !entry || !entry.connected || !entry.mounts.some(({key}) => key === offsetsMount)) return [];
   const mounts = [offsetsMount, mountsMount].filter(mount => entry.mounts.some(({key}) => key === mount));
   mounts.forEach(mount => needKeys(robot, mount));
   const isKnown = mounts.every(mount => entry.keys.get(mount)), had = olds(entry.keys);

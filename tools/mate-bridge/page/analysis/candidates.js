@@ -45,8 +45,8 @@ function table(chosen, candidates, looked, again) {
     element("button", {type: "button", class: "plain", "aria-pressed": String(one === looked)}, ...brokenLabel(one.label)), stateChip(one)]};
   const gain = {title: "what it would bring", className: "number", words: "held-out error now and with it; and the fall of χ², the sum of squared misfits: " +
     "found by refitting for the best ones, predicted for the others", cell: one => [...columns.heldOut.cell(one, most),
-    one.state === "no-data" ? null : element("div", {class: "soft"}, "χ² falls by " + short(one.realDrop ?? one.predictedDrop))]};
-  const add = {title: "", cell: ({label, state: found}) => [found === "no-data" ? null
+    one.state === "no-data" || one.setUp ? null : element("div", {class: "soft"}, "χ² falls by " + short(one.realDrop ?? one.predictedDrop))]};
+  const add = {title: "", cell: ({label, state: found, setUp}) => [found === "no-data" || setUp ? null
     : button("Add", () => act({do: "add", label}), {class: "add small", "aria-label": "add " + label})]};
   return element("div", {},
     candidateTable(shown.all ? chosen : chosen.slice(0, shownFirst), [effect, columns.evidence, columns.size, gain, add], {most, rowOf: one => ({
@@ -63,7 +63,7 @@ const together = questions => views.filter(({about, ofCandidate}) => about === "
 });
 
 function save(candidates) {
-  const rows = [["effect", "state", "evidence", "sizes", "p", "predicted fall of chi2", "found fall of chi2", "held-out error before [px]", "held-out error after [px]"]];
+  const rows = [["effect", "state", "evidence", "sizes", "p", "predicted fall of chi2", "found fall of chi2", ...["before", "after"].map(when => "held-out error " + when + " [" + state.ladder.unit + "]")]];
   for (const one of candidates) {
     rows.push([one.label, one.state, one.evidence, one.sizes.map(sizeWords).join("; "), one.pValue, one.predictedDrop, one.realDrop, one.before, one.after]);
   }

@@ -1,10 +1,14 @@
-// Compare view: residuals over any recorded quantity, the selected capture, and all pictures, worst first.
+// Compare view: residuals over any recorded quantity, the selected capture or all readings in space, and all pictures,
+// worst first.
 import {button, choice, csv, download, element, renew} from "naocal/lib/dom.js";
 import {px} from "naocal/lib/format.js";
+import {axisNames} from "naocal/lib/readings.js";
+import {readingArrows} from "naocal/plots/reading-arrows.js";
+import {arrowsWords, dotsOfReadings, dotsWords, histogramsOfReadings, histogramWords} from "naocal/plots/reading-sections.js";
 import {on} from "../core/connection.js";
 import {state} from "../core/state.js";
 import {cornersOf, errorOf, pictureFigure} from "./pictures.js";
-import {horizontals, isChosen, scatterFigure, verticals} from "./residual-scatter.js";
+import {horizontals, isChosen, readingTools, scatterFigure, verticals} from "./residual-scatter.js";
 
 const perPage = 6;
 const shown = {horizontal: "u", vertical: "du", isChosen: false, camera: "", first: 0, order: "worst"};
@@ -15,31 +19,44 @@ const look = ({error, over}) => Object.assign(shown, {vertical: error, horizonta
 
 export function showCompare(parent) {
   const {fit} = state, {telling} = fit;
-  if (!shown.isChosen) look(telling.pairs[0] || {error: "du", over: "u"});
+  if (!shown.isChosen) look(telling.pairs[0] || (fit.pictures.length ? {error: "du", over: "u"} : {error: "reading0x", over: "capture"}));
   const errors = verticals(fit), vertical = errors.find(({value}) => value === shown.vertical) || errors[0];
   const options = horizontals(fit, vertical), horizontal = options.find(({value}) => value === shown.horizontal) || options[0];
   const again = () => showCompare(parent), choose = change => { Object.assign(shown, change, {isChosen: true}); again(); };
   const pictures = [...fit.pictures].sort((a, b) => shown.order === "worst" ? errorOf(b) - errorOf(a) : a.time - b.time || a.capture - b.capture);
-  const chosen = pictures.find(isChosen) || pictures[0];
+  const chosen = pictures.find(isChosen) || pictures[0], choosePicture = picture => { state.chosen = picture; again(); };
   const cameras = [...new Set(fit.pictures.map(({camera}) => camera))];
-  const scatter = scatterFigure({fit, horizontal, vertical, camera: shown.camera, choose: picture => { state.chosen = picture; again(); }});
+  const scatter = scatterFigure({fit, horizontal, vertical, camera: shown.camera, choose: choosePicture});
   renew(parent,
     element("h1", {}, "Where the prediction fails"),
     told(telling, choose),
     element("p", {class: "soft"}, (vertical.joint ? "Each point is one reading of the joint: the error that would explain its pictures. "
-      : "Each point is a corner: predicted minus measured. ") + "Orange squares: means with two standard errors, each pose counted once. Good: squares stay at zero. " +
+      : vertical.series ? "Each point is a reading: predicted minus measured. " : "Each point is a corner: predicted minus measured. ") + "Orange squares: means with two standard errors, each pose counted once. Good: squares stay at zero. " +
       "Click a point to see its capture."),
     element("div", {class: "controls"},
       choice("Error", errors, vertical.value, value => choose({vertical: value}), "errorY"),
       choice("over", options, horizontal.value, value => choose({horizontal: value}), "overX"),
-      choice("camera", [{value: "", text: "both"}, ...cameras.map(value => ({value, text: value}))], shown.camera,
-        value => { shown.camera = value; again(); }, "ofCamera"),
+      cameras.length > 1 && !vertical.series ? choice("camera", [{value: "", text: cameras.length > 2 ? "all" : "both"}, ...cameras.map(value => ({value, text: value}))], shown.camera,
+        value => { shown.camera = value; again(); }, "ofCamera") : null,
       vertical.joint ? null : choice("joints", [{value: "reported", text: "as reported by the encoders"}, {value: "fitted", text: "moved within their noise"}],
         state.layer, value => { state.layer = /** @type {import("naocal/lib/types.js").Layer} */ (value); again(); }, "layer"),
-      button("CSV", () => saveCorners(fit), {class: "small"})),
-    element("div", {class: "split"}, scatter, element("div", {}, pictureFigure(chosen))),
-    element("h2", {}, "Captures"),
-    ...captures(pictures, again));
+      button("CSV", () => vertical.series ? saveReadings(fit) : saveCorners(fit), {class: "small"})),
+    ...beside(fit, vertical, scatter, chosen, choosePicture),
+    ...readingParts(fit, choosePicture),
+    ...(pictures.length ? [element("h2", {}, "Captures"), ...captures(pictures, again)] : []));
+}
+
+// The scatter beside the chosen picture; or above the readings in space, which need the room.
+function beside(fit, {series}, scatter, chosen, open) {
+  const inSpace = series ? (series.isPlace ? series : null) : chosen ? null : fit.readings.find(({isPlace}) => isPlace);
+  if (!inSpace && chosen) return [element("div", {class: "split"}, scatter, element("div", {}, pictureFigure(chosen)))];
+  return [scatter, inSpace ? readingArrows(inSpace, {...readingTools(fit), open}) : null];
+}
+
+function readingParts(fit, open) {
+  if (!fit.readings.length) return [];
+  return [element("h2", {}, "Readings"), element("p", {class: "soft"}, dotsWords + " " + arrowsWords), dotsOfReadings(fit.readings, "readingDots", {...readingTools(fit), open}),
+    element("h2", {}, "Against the noise"), element("p", {class: "soft"}, histogramWords), histogramsOfReadings(fit.readings)];
 }
 
 // Error-driver pairs with the strongest relation.
@@ -95,6 +112,17 @@ function pager(groups, again) {
     button("›", turn(1), {disabled: shown.first + perPage >= groups.length, id: "next", "aria-label": "captures after"}),
     element("span", {class: "keys soft"}, element("span", {class: "key measured"}), " measured ", element("span", {class: "key predicted"}), " predicted ",
       element("span", {class: "key doubtful"}), " doubtful"));
+}
+
+function saveReadings(fit) {
+  const rows = [["set", "capture", "pose", "readings", "of", "place", ...axisNames.map(name => name + " [m]"), ...axisNames.map(name => "error " + name), "unit"]];
+  for (const {title, unit, points} of fit.readings) {
+    for (const reading of points) {
+      const {set, capture, pose} = fit.captures[reading.of];
+      rows.push([set, capture, pose, title, reading.target, reading.place, ...reading.at, ...reading[state.layer], unit]);
+    }
+  }
+  download("readings.csv", csv(rows), "text/csv");
 }
 
 function saveCorners(fit) {

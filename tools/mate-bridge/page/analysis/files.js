@@ -1,6 +1,6 @@
 // Files view: opens captures, compares with others, saves the same files as the command line.
 import {button, csvTable, download, element, renew} from "naocal/lib/dom.js";
-import {px} from "naocal/lib/format.js";
+import {px, sized} from "naocal/lib/format.js";
 import {on} from "../core/connection.js";
 import {saveSession} from "../core/session-export.js";
 import {act, notice, state} from "../core/state.js";
@@ -53,9 +53,12 @@ function paths(id, label, value, changed, go, words) {
   }}, field, element("button", {type: "submit", disabled: Boolean(state.work)}, words));
 }
 
-function comparison({names, rmsPx, medianPx, corners, nominal, byBoard, byCamera, byPose}) {
-  const rows = [["board", byBoard], ["camera", byCamera], ["pose", byPose]].flatMap(([kind, group]) => Object.entries(group).map(([name, one]) => [kind + " " + name, one]));
-  const row = (/** @type {any[]} */ [name, one]) => element("tr", {}, element("th", {scope: "row"}, name), element("td", {class: "number"}, px(one.rmsPx)));
-  return [element("p", {}, element("b", {}, px(rmsPx) + " rms"), " (median " + px(medianPx) + ") from their predictions over " + corners + " corners of " + names.join(", ") + "; with the drawing alone " + px(nominal.rmsPx) + "."),
-    csvTable(element("table", {class: "narrow"}, element("thead", {}, element("tr", {}, element("th", {scope: "col"}, "of"), element("th", {scope: "col", class: "number"}, "rms error"))), element("tbody", {}, ...rows.map(row))), "comparison")];
+function comparison({names, kinds, byBoard, byCamera, byPose, byMarker = {}}) {
+  const millimetre = 1e-3;
+  const rows = [...[["board", byBoard], ["camera", byCamera], ["pose", byPose]].flatMap(([kind, group]) => Object.entries(group).map(([name, one]) => [kind + " " + name, px(one.rmsPx)])),
+    ...Object.entries(byMarker).flatMap(([tracker, group]) => Object.entries(group).map(([name, one]) => [name + " of " + tracker, sized(one.rms / millimetre, "mm")]))];
+  const row = (/** @type {any[]} */ [name, size]) => element("tr", {}, element("th", {scope: "row"}, name), element("td", {class: "number"}, size));
+  return [...kinds.map(({title, unit, count, rms, median, nominal}) => element("p", {}, element("b", {}, sized(rms, unit) + " rms"), " (median " + sized(median, unit) + ") from their predictions over " +
+    count + " " + title + " in " + names.join(", ") + (nominal === null ? "." : "; with the drawing alone " + sized(nominal, unit) + "."))),
+  rows.length ? csvTable(element("table", {class: "narrow"}, element("thead", {}, element("tr", {}, element("th", {scope: "col"}, "of"), element("th", {scope: "col", class: "number"}, "rms error"))), element("tbody", {}, ...rows.map(row))), "comparison") : null];
 }

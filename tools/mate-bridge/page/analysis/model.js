@@ -1,6 +1,6 @@
 // Model panel beside every analysis view: error ladder, effects, undo, search.
 import {button, csv, download, element, renew} from "naocal/lib/dom.js";
-import {px} from "naocal/lib/format.js";
+import {sized} from "naocal/lib/format.js";
 import {errorLadder} from "naocal/plots/error-ladder.js";
 import {act, state} from "../core/state.js";
 
@@ -15,19 +15,19 @@ export function showModel(parent) {
 
 // In narrow windows the panel is folded to this strip, which stays in sight.
 function strip(parent, ladder) {
-  const {rms, heldOut, floor} = ladder.rungs[ladder.at], isOpen = parent.classList.contains("open");
+  const {unit} = ladder, {rms, heldOut, floor} = ladder.rungs[ladder.at], isOpen = parent.classList.contains("open");
   const fold = button(isOpen ? "Fold" : "Model", () => { parent.classList.toggle("open"); showModel(parent); }, {class: "small", id: "foldModel", "aria-expanded": String(isOpen), title: "ladder and effects of the model"});
-  return element("div", {class: "strip"}, element("b", {}, px(heldOut ?? rms)), element("span", {class: "soft"}, (heldOut === undefined || heldOut === null ? "fitted" : "held out") + (floor ? "; noise floor " + px(floor) : "")),
+  return element("div", {class: "strip"}, element("b", {}, sized(heldOut ?? rms, unit)), element("span", {class: "soft"}, (heldOut === undefined || heldOut === null ? "fitted" : "held out") + (floor ? "; noise floor " + sized(floor, unit) : "")),
     button("Undo", () => undo(ladder), {class: "small", disabled: !canUndo(ladder), "aria-label": "undo"}), button("Redo", () => redo(ladder), {class: "small", disabled: !canRedo(ladder), "aria-label": "redo"}), fold);
 }
 
 // Converts the bridge's ladder for errorLadder; unknown numbers become null.
-const ladderOf = ({at, rungs}) => errorLadder(rungs.map(({step, from, rms, heldOut = null, floor = null, alarm = null}) =>
-  ({name: step, from, rms, heldOut, floor, alarm})), {at, choose: rung => act({do: "goTo", rung})});
+const ladderOf = ({at, unit, rungs}) => errorLadder(rungs.map(({step, from, rms, heldOut = null, floor = null, alarm = null}) =>
+  ({name: step, from, rms, heldOut, floor, alarm})), {at, unit, choose: rung => act({do: "goTo", rung})});
 
-function saveLadder({rungs}) {
+function saveLadder({unit, rungs}) {
   const rows = rungs.map(({step, rms, heldOut, floor, alarm}) => [step || "base model", rms, heldOut, floor, alarm]);
-  download("ladder.csv", csv([["model", "fitted poses [px]", "held-out error [px]", "noise floor [px]", "chance that noise alone looks this convincing"], ...rows]), "text/csv");
+  download("ladder.csv", csv([["model", ...["fitted poses", "held-out error", "noise floor"].map(title => title + " [" + unit + "]"), "chance that noise alone looks this convincing"], ...rows]), "text/csv");
 }
 
 // Undo selects the parent of the present model, redo its newest child.

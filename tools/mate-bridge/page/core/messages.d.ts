@@ -1,5 +1,5 @@
 // Messages of the bridge about the open captures, and the state that views share.
-import type {Diagnosis, EstimateGroup, Fact, Layer, Picture} from "naocal/lib/types.js";
+import type {Diagnosis, EstimateGroup, Fact, Layer, Picture, ReadCapture, ReadingSeries} from "naocal/lib/types.js";
 
 /** A user effect, as model files define it. */
 export interface UserEffect {
@@ -18,14 +18,20 @@ export interface SetMessage {
   pictures: number;
   poses: number;
   corners: number;
+  /** Of trackers, and contacts. */
+  readings: number;
+  /** Else a robot with a URDF, for which no poses are planned. */
+  isNao: boolean;
   joints: string[];
   own: UserEffect[];
   effects: {name: string, what: string, formula: string, own: boolean, unknowns: {name: string, unit: string, sigma: number}[]}[];
 }
 
-/** "ladder": all models so far; `at`: the present one; `from`: the one that each was made from. Errors in pixels. */
+/** "ladder": all models so far; `at`: the present one; `from`: the one that each was made from. */
 export interface LadderMessage {
   at: number;
+  /** Of all errors. */
+  unit: string;
   rungs: {step: string, from: number | null, with: string[], without: string[], rms: number, heldOut?: number, floor?: number, alarm?: number}[];
 }
 
@@ -47,12 +53,15 @@ export interface FitMessage {
   facts: Fact[];
   groups: EstimateGroup[];
   pictures: (Picture & {index: number, kept: boolean})[];
+  readings: ReadingSeries[];
+  /** The captures of the readings. */
+  captures: (ReadCapture & {index: number})[];
   drivers: RecordedDriver[];
-  /** Pairs of error and driver that explain most; joints' points [pictures, error, sigma] [°]. */
+  /** Pairs of error and driver that explain most; joints' points [pictures, error, sigma] [unit]. */
   telling: {
     sentence: string;
     pairs: {error: string, over: string, label: string, sentence: string, share: number, chance: number}[];
-    joints: {joint: string, points: [number[], number, number][]}[];
+    joints: {joint: string, unit: string, points: [number[], number, number][]}[];
   };
   /** What a robot can take over: offsets [°], mounts [rad]; `untold`: joints whose offsets the captures do not determine. */
   compensation: {offsets: {joint: string, value: number}[], untold: string[], mounts: {camera: string, rotation: [number, number, number]}[]};
@@ -80,10 +89,21 @@ interface Distances {
   corners: number;
 }
 
+interface ReadingErrors {
+  rms: number;
+  mean: number;
+  median: number;
+  max: number;
+  points: number;
+}
+
 /** "compared": prediction errors in other captures. */
-export interface ComparedMessage extends Distances {
+export interface ComparedMessage {
   names: string[];
-  nominal: Distances;
+  /** Each kind of measurement in its own unit; `nominal`: with the drawing alone. */
+  kinds: {title: string, unit: string, count: number, rms: number, median: number, nominal: number | null}[];
+  /** By tracker and marker or frame [m]. */
+  byMarker?: Record<string, Record<string, ReadingErrors>>;
   byBoard: Record<string, Distances>;
   byCamera: Record<string, Distances>;
   byPose: Record<string, Distances>;

@@ -7,7 +7,7 @@ import {act, notice} from "../core/state.js";
 
 const part = 512 << 10; // [bytes] of a message; the bridge takes 1 MiB
 const mostFiles = 10000, mostBytes = 1 << 30; // the bridge's limits
-const taken = /\.(json|png|jpe?g|pgm|ppm|bmp|tiff?)$/i; // others are not needed
+const taken = /\.(json|urdf|png|jpe?g|pgm|ppm|bmp|tiff?)$/i; // others are not needed
 let number = 0;
 /** @type {null | {number: number, done: number, all: number, told: (() => void) | null, failed: boolean}} */
 let upload = null;

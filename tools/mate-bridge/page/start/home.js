@@ -14,7 +14,7 @@ const linesOf = text => text.split("\n").map(line => line.trim()).filter(Boolean
 
 export function showHome(parent) {
   const told = state.start;
-  renew(parent, element("h1", {}, "Calibrate a NAO from pictures"),
+  renew(parent, element("h1", {}, "Calibrate a robot"),
     element("p", {class: "soft"}, "Open captures, try the panel without a robot, or connect a robot. Nothing leaves this computer."),
     element("div", {class: "cards"}, opening(told), trying(told), robots(told, () => showHome(parent)), preparing()));
 }
@@ -26,7 +26,7 @@ const card = (title, ...parts) => element("section", {class: "card", "aria-label
 function opening(told) {
   const progress = uploadProgress(), isBusy = progress !== null || Boolean(state.work);
   const choose = (words, folder) => {
-    const input = element("input", {type: "file", multiple: true, hidden: true, "data-chooses": folder ? "folder" : "files", "aria-label": words, onchange: () => openChosen(input), ...(folder ? {webkitdirectory: true} : {accept: ".json,image/*"})});
+    const input = element("input", {type: "file", multiple: true, hidden: true, "data-chooses": folder ? "folder" : "files", "aria-label": words, onchange: () => openChosen(input), ...(folder ? {webkitdirectory: true} : {accept: ".json,.urdf,image/*"})});
     return [button(words, () => input.click(), {disabled: isBusy}), input];
   };
   const path = element("input", {type: "text", id: "homePath", class: "code", spellcheck: "false", autocomplete: "off", placeholder: "/path/to/captures", "aria-label": "path of a capture set, recording or result",

@@ -58,9 +58,10 @@ export function axes(context, box, [xLow, xHigh], [yLow, yHigh], {title, xLabel}
   return {x, y, line};
 }
 
-/** Enlargement factor that keeps 90 % of the errors shorter than `longest`. @param {number[]} lengths @param {number} longest */
-export const enlargement = (lengths, longest) =>
-  [200, 100, 50, 20, 10, 5, 2].find(factor => factor * quantile(lengths, 0.9) <= longest) || 1;
+const factors = [1, 10, 100, 1000, 10000].flatMap(power => [2, 5, 10].map(digit => digit * power)).reverse();
+/** Enlargement factor, at most `most`, that keeps 90 % of the errors shorter than `longest`. @param {number[]} lengths @param {number} longest */
+export const enlargement = (lengths, longest, most = 200) =>
+  factors.find(factor => factor <= most && factor * quantile(lengths, 0.9) <= longest) || 1;
 /** @param {number} factor */
 export const enlargedWords = factor => factor === 1 ? "not enlarged" : "enlarged " + factor + " times";
 

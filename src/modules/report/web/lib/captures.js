@@ -1,13 +1,13 @@
 // Captures: names, corners and capture times of their pictures.
 import {groupBy, mean, rms, extent} from "naocal/lib/statistics.js";
 
-/** @import {Picture, Corner, Layer, Taken} from "naocal/lib/types.js" */
+/** @import {CaptureName, Picture, Corner, Layer, Taken} from "naocal/lib/types.js" */
 
-/** "capture 17, pose P05 (repeat 1), top camera" @param {Picture} picture */
+/** "capture 17, pose P05 (repeat 1), top camera" @param {CaptureName} picture */
 export const pictureName = ({capture, pose, repeat, camera}) =>
-  "capture " + capture + (pose ? ", pose " + pose : "") + (repeat ? " (repeat " + repeat + ")" : "") + ", " + camera + " camera";
+  "capture " + capture + (pose ? ", pose " + pose : "") + (repeat ? " (repeat " + repeat + ")" : "") + (camera ? ", " + camera + " camera" : "");
 
-/** Prefixed with the set name if there are several sets. @param {Picture[]} pictures @returns {(picture: Picture) => string} */
+/** Prefixed with the set name if there are several sets. @param {CaptureName[]} pictures @returns {(picture: CaptureName) => string} */
 export function pictureNames(pictures) {
   const severalSets = new Set(pictures.map(({set}) => set)).size > 1;
   return picture => (severalSets ? picture.set + ", " : "") + pictureName(picture);
@@ -21,7 +21,7 @@ export function captureNames({poses, pictures}) {
     poseName,
     /** "pose P05\ncaptures 12 (top), 13 (bottom)" @param {number} pose */
     poseTip: pose => poseName(pose) + "\ncaptures " + poses[pose].pictures.map(picture =>
-      pictures[picture].capture + " (" + pictures[picture].camera + ")").join(", "),
+      pictures[picture].capture + (pictures[picture].camera ? " (" + pictures[picture].camera + ")" : "")).join(", "),
     /** "capture 12, pose P05" @param {number} picture */
     captureName: picture => "capture " + pictures[picture].capture + ", " + poseName(pictures[picture].pose),
   };
@@ -65,8 +65,9 @@ export const boardViews = (pictures, layer) => pictures.flatMap(picture =>
 
 /**
  * Capture time of each picture [s]; sets follow each other with a gap.
- * @param {Picture[]} pictures
- * @returns {Map<Picture, number>}
+ * @template {CaptureName} P
+ * @param {P[]} pictures
+ * @returns {Map<P, number>}
  */
 export function captureTimes(pictures) {
   const times = new Map();

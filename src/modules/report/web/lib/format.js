@@ -11,7 +11,8 @@ export const withUnit = (text, unit) => !unit ? text : unit.startsWith("°") ? t
 /** "value ± sigma", rounded to two significant digits of sigma. @param {number} value @param {number} sigma */
 export function withError(value, sigma, unit = "") {
   const digits = Math.min(6, Math.max(0, 1 - Math.floor(Math.log10(Math.abs(sigma) || 1))));
-  return withUnit(minus(value.toFixed(digits)) + " ± " + sigma.toFixed(digits), unit);
+  const text = value.toFixed(digits);
+  return withUnit(minus(Number(text) ? text : text.replace("-", "")) + " ± " + sigma.toFixed(digits), unit);
 }
 
 /** "k = 0.82 ± 0.05°/Nm" @param {Size} size */
@@ -24,8 +25,11 @@ export const detectableWords = ({detectable, unit}) => detectable === null ? "�
 /** @param {number} value */
 export const px = value => minus(value.toFixed(Math.abs(value) < 10 ? 2 : 1)) + " px";
 
-/** @param {number} value */
-export const px3 = value => value.toFixed(3) + " px";
+/** "0.53 px", "0.532 mm": an error in a unit of pages. @param {number} value @param {string} unit */
+export const sized = (value, unit) => unit === "px" ? px(value) : withUnit(minus(value.toFixed(Math.abs(value) < 1 ? 3 : 2)), unit);
+
+/** @param {number} value @param {string} unit */
+export const sized3 = (value, unit) => withUnit(value.toFixed(3), unit);
 
 /** At most three significant digits; a dash for unknown values. @param {number | null | undefined} value */
 export const short = value => value === null || value === undefined || !isFinite(value) ? "–"

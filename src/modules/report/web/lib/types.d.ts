@@ -26,23 +26,31 @@ export interface BoardView {
   weight?: number[];
 }
 
-export interface Picture {
+/** What a capture is called; without a camera no picture was taken. */
+export interface CaptureName {
   set: string;
   capture: number;
   pose: string;
   repeat?: number;
   camera: string;
-  width: number;
-  height: number;
   /** [s] */
   time: number;
-  boards: BoardView[];
-  /** By joint [°]. */
+}
+
+/** A capture, with its joints' readings in the units that people read. */
+export interface ReadCapture extends CaptureName {
   angles?: Record<string, number>;
+  /** In the panel: its place in lists of drivers. */
+  index?: number;
+}
+
+export interface Picture extends ReadCapture {
+  width: number;
+  height: number;
+  boards: BoardView[];
   /** An address of the photograph. */
   photograph?: string;
-  /** In the panel: its place in lists of drivers, and whether there is a photograph. */
-  index?: number;
+  /** In the panel: whether there is a photograph. */
   kept?: boolean;
 }
 
@@ -56,6 +64,40 @@ export interface Corner {
   du: number;
   dv: number;
   weight: number;
+}
+
+/** A tracker's reading or a contact, in the axes of the world: where it lies [m], and how far its prediction misses it [unit of its series]. */
+export interface Reading {
+  /** Its capture's place in the list of captures or pictures. */
+  of: number;
+  /** The marker or frame. */
+  target: string;
+  /** That was touched; empty for trackers. */
+  place: string;
+  at: [number, number, number];
+  reported: [number, number, number];
+  fitted: [number, number, number];
+}
+
+/** Readings of one instrument in one unit. */
+export interface ReadingSeries {
+  title: string;
+  unit: string;
+  /** Noise per axis, one standard deviation. */
+  sigma: number;
+  /** Whether the set says it; else it is estimated. */
+  given: boolean;
+  /** Errors are lengths. */
+  isPlace: boolean;
+  points: Reading[];
+}
+
+/** Errors of one kind of measurement in its own unit; `noise`: what readings alone would leave. */
+export interface KindErrors {
+  title: string;
+  unit: string;
+  noise: number | null;
+  rungs: {name: string, rms: number | null, heldOut: number | null}[];
 }
 
 /** A found or needed size of an effect's unknown. */
@@ -102,12 +144,16 @@ export interface Candidate {
   /** The state whose words are shown, where it is not `state`. */
   says?: string;
   why: string;
+  /** A suspected set-up: it has a reason and no numbers. */
+  setUp: boolean;
+  /** Unit of the held-out errors. */
+  errorUnit: string;
   sizes: Size[];
-  power: number;
-  kept: number;
+  power: number | null;
+  kept: number | null;
   evidence: number | null;
   pValue: number | null;
-  predictedDrop: number;
+  predictedDrop: number | null;
   realDrop: number | null;
   before: number | null;
   after: number | null;
@@ -118,7 +164,7 @@ export interface Candidate {
   imprint: Signature | null;
 }
 
-/** A model on the ladder of errors [px]; null: not known yet. */
+/** A model on the ladder of errors, in the unit of the captures' errors; null: not known yet. */
 export interface Rung {
   name: string;
   dropped?: string[];
@@ -186,14 +232,15 @@ export interface Taken {
 
 /** What a model leaves over. */
 export interface Left {
-  /** Per joint [pictures, deflection, standard error] [°]. */
-  whatIf: {joint: string, points: [number[], number, number][]}[];
+  /** Per joint [pictures, deflection, standard error] [unit]. */
+  whatIf: {joint: string, unit: string, points: [number[], number, number][]}[];
   within: {
     noise: number;
     cells: {camera: string, u: number, v: number, du: number, dv: number, sigma: number, corners: number, worst: number}[];
     boards: {picture: number, board: string, distance: number, rms: number}[];
   };
   shapes: Shape[];
+  readings: ReadingSeries[];
 }
 
 /** A board's corners: places [m], and how far off they lie [mm]. */
@@ -207,6 +254,10 @@ export interface Diagnosis extends Taken {
   verdict: string;
   headline: string;
   sentence: string;
+  /** Of the captures' errors. */
+  unit: string;
+  /** Empty where the ladder says it all. */
+  kinds: KindErrors[];
   floorName: string;
   suggested: string[];
   own: boolean;
@@ -247,6 +298,11 @@ export interface Result {
   groups: EstimateGroup[];
   weak: {sentence: string, sigma: number, unit: string}[];
   pictures: Picture[];
+  readings: ReadingSeries[];
+  /** The captures of the readings. */
+  captures: ReadCapture[];
+  /** Of joints that do not read in degrees. */
+  jointUnits: Record<string, string>;
   pixelNoise: number;
 }
 

@@ -30,8 +30,9 @@ function sections(about) {
 
 showHead({...data, warnings: data.suspicious});
 at("overLadder").hidden = !data.steps.length; // nothing could be fitted
+at("scaled").hidden = data.unit === "px";
 at("overCandidates").hidden = at("overUntested").hidden = !data.candidates.length;
-if (data.steps.length) at("ladder").append(errorLadder(data.steps.map(step => ({...step, name: nameOf(step)})), {floorName: data.floorName}), command());
+if (data.steps.length) at("ladder").append(errorLadder(data.steps.map(step => ({...step, name: nameOf(step)})), {floorName: data.floorName, unit: data.unit}), command());
 showCandidates(data.candidates);
 at("candidateViews").append(...sections("candidates"));
 at("untested").append(untested(data.candidates));

@@ -1,89 +1,100 @@
 // Entry point of the result page.
 import {at, choosing, element} from "naocal/lib/dom.js";
 import {redrawAll} from "naocal/lib/figure.js";
-import {direction} from "naocal/lib/format.js";
-import {binnedMeans, extent, groupBy, quantile, trendStrength} from "naocal/lib/statistics.js";
-import {boardViews, captureTimes, cornersOf, meanErrorOf, pictureNames} from "naocal/lib/captures.js";
+import {direction, px, short, sized} from "naocal/lib/format.js";
+import {groupBy} from "naocal/lib/statistics.js";
+import {boardViews, captureTimes, cornersOf, lengthOf, meanErrorOf, pictureNames} from "naocal/lib/captures.js";
+import {axisNames, groupsOf, lengthOfError, targetName} from "naocal/lib/readings.js";
 import {doubtfulBelow} from "naocal/plots/corners.js";
 import {errorGroups} from "naocal/plots/error-groups.js";
 import {estimates, titleOf} from "naocal/plots/estimates.js";
+import {componentTitle, readingTip} from "naocal/plots/reading-dots.js";
+import {arrowsOfReadings, arrowsWords, dotsOfReadings, dotsWords, histogramsOfReadings, histogramWords} from "naocal/plots/reading-sections.js";
 import {residualField} from "naocal/views/residual-field.js";
-import {residualScatter} from "naocal/plots/residual-scatter.js";
 import {readData, showContents, showHead} from "naocal/pages/head.js";
 import {showPictures} from "naocal/pages/pictures.js";
+import {movedJoints, trend} from "naocal/pages/trends.js";
 
-/** @import {Layer, Picture, Result} from "naocal/lib/types.js" */
+/** @import {Layer, Picture, ReadCapture, ReadingSeries, Result} from "naocal/lib/types.js" */
+/** @import {ErrorKind} from "naocal/pages/trends.js" */
 
 /** @type {Result} */
 const data = readData();
-const nameOf = pictureNames(data.pictures), times = captureTimes(data.pictures);
-const timeOf = (/** @type {Picture} */ picture) => times.get(picture) ?? 0, byTime = [...data.pictures].sort((a, b) => timeOf(a) - timeOf(b));
-const severalSets = new Set(data.pictures.map(({set}) => set)).size > 1;
-const poseOf = (/** @type {Picture} */ picture) => (severalSets ? picture.set + "/" : "") + picture.pose; // pictures of a pose share its joint errors
+/** @type {ReadCapture[]} */
+const captures = [...data.pictures, ...data.captures];
+const nameOf = pictureNames(captures), times = captureTimes(captures);
+const timeOf = (/** @type {ReadCapture} */ capture) => times.get(capture) ?? 0, byTime = [...data.pictures].sort((a, b) => timeOf(a) - timeOf(b));
+const severalSets = new Set(captures.map(({set}) => set)).size > 1;
+const poseOf = (/** @type {ReadCapture} */ capture) => (severalSets ? capture.set + "/" : "") + capture.pose; // captures of a pose share its joint errors
 const layer = () => /** @type {Layer} */ (at("layer").value);
 
-/** Mean error of each board and picture over a value of the picture; skips pictures without it. @param {(picture: Picture) => number | undefined} valueOf */
-function trendPoints(valueOf) {
-  return boardViews(data.pictures, layer()).flatMap(({picture, board, corners}) => {
-    const x = valueOf(picture), trusted = corners.filter(({weight}) => weight >= doubtfulBelow);
-    return x === undefined ? [] : [{x, picture, board, error: meanErrorOf(corners), trusted: trusted.length ? meanErrorOf(trusted) : null}];
-  });
-}
-/** @typedef {ReturnType<typeof trendPoints>} TrendPoints */
+/** Mean error of each board and picture. @type {ErrorKind} */
+const cornerErrors = {title: "corners", captures: data.pictures, open: picture => pictures?.open(picture),
+  components: [{name: "to the right", title: "predicted too far to the right [px]"}, {name: "down", title: "predicted too far down [px]"}],
+  points: valueOf => boardViews(data.pictures, layer()).flatMap(({picture, board, corners}) => {
+    const x = valueOf(picture), trusted = corners.filter(({weight}) => weight >= doubtfulBelow), error = meanErrorOf(corners);
+    return x === undefined ? [] : [{x, capture: picture, error, trusted: trusted.length ? meanErrorOf(trusted) : null,
+      tip: () => nameOf(picture) + "\nboard " + board + ": mean prediction " + direction(...error)}];
+  })};
 
-/** Binned means to the right (0) or down (1), without doubtful corners. @param {TrendPoints} points @param {0 | 1} side @param {(picture: Picture) => string} groupOf */
-const meansOf = (points, side, groupOf) => binnedMeans(points.flatMap(({x, picture, trusted}) => trusted ? [{x, y: trusted[side], picture}] : []),
-  {groupOf: ({picture}) => groupOf(picture)});
+const keyOf = (/** @type {ReadCapture} */ {set, capture}) => set + "\n" + capture;
+const placeOf = new Map([...new Set([...data.captures].sort((a, b) => timeOf(a) - timeOf(b) || a.capture - b.capture).map(keyOf))].map((key, place) => [key, place + 1]));
+/** @type {import("naocal/lib/readings.js").ReadingTools} */
+const readingTools = {layer, nameOf: ({of}) => nameOf(data.captures[of]), orderOf: ({of}) => placeOf.get(keyOf(data.captures[of])) ?? 0};
 
-/** Plots of both error components, side by side. @param {TrendPoints} points @param {{label: string, xLabel: string, groupOf: (picture: Picture) => string}} options */
-function trend(points, {label, xLabel, groupOf}) {
-  const sides = /** @type {(0 | 1)[]} */ ([0, 1]).map(side => ({side, means: meansOf(points, side, groupOf)}));
-  const least = Math.max(quantile(points.flatMap(({error}) => error.map(Math.abs)), 0.98), // common y axis
-    ...sides.flatMap(({means}) => means.map(({y, error}) => Math.abs(y) + 2 * error)));
-  return element("div", {class: "grid"}, ...sides.map(({side, means}) => residualScatter({
-    points: points.map(({x, picture, board, error}) => ({x, y: error[side], picture, tip: () => nameOf(picture) + "\nboard " + board +
-      ": mean prediction " + direction(...error) + "\n" + xLabel + ": " + Number(x.toFixed(2))})),
-    means, least, xLabel, title: side ? "predicted too far down [px]" : "predicted too far to the right [px]",
-  }, {label: label + (side ? ", down" : ", to the right"), open: pictures.open})));
-}
+/** @param {ReadingSeries} series @returns {ErrorKind} */
+const readingErrors = series => ({title: series.title, captures: data.captures,
+  components: axisNames.map(name => ({name: (series.isPlace ? "along " : "about ") + name, title: componentTitle(series, name)})),
+  points: valueOf => series.points.flatMap(reading => {
+    const capture = data.captures[reading.of], x = valueOf(capture), error = reading[layer()];
+    return x === undefined ? [] : [{x, capture, error, trusted: error, tip: () => readingTip(reading, series, readingTools)}];
+  })});
 
-/** Joints that moved by more than 1 degree, strongest trend first. */
-function movedJoints() {
-  const names = new Set(data.pictures.flatMap(({angles}) => Object.keys(angles ?? {})));
-  return [...names].map(name => ({name, points: trendPoints(({angles}) => angles?.[name])})).filter(({points}) => {
-    const [low, high] = extent(points.map(({x}) => x));
-    return high - low > 1;
-  }).map(({name, points}) => ({name, strength: Math.max(trendStrength(meansOf(points, 0, poseOf)), trendStrength(meansOf(points, 1, poseOf)))}))
-    .sort((a, b) => b.strength - a.strength);
-}
+const kinds = [...(data.pictures.length ? [cornerErrors] : []), ...data.readings.map(readingErrors)];
+
+/** A choice of the kind of errors, where there are several. @param {string} id @param {(kind: ErrorKind) => Node} show */
+const byKind = (id, show) => choosing(id, "Errors of", kinds.map(({title}) => ({value: title, text: title})), title => show(kinds.find(kind => kind.title === title) ?? kinds[0]));
 
 function angles() {
-  const joints = movedJoints();
-  const why = data.missing.length ? "Joint angles are missing: " + data.missing.join("; ") + "." : joints.length ? "" : "No joint moved by more than 1°.";
-  return [why ? element("p", {}, why) : "", joints.length ? choosing("joint", "Joint", joints.map(({name}) => ({value: name, text: name})), name =>
-    trend(trendPoints(({angles}) => angles?.[name]), {label: "mean errors over a joint's angle", xLabel: name + " [°]", groupOf: poseOf})) : ""];
+  const why = data.missing.length ? "Joint angles are missing: " + data.missing.join("; ") + "." : "";
+  return [why ? element("p", {}, why) : "", byKind("anglesOf", kind => {
+    const joints = movedJoints(kind, poseOf);
+    if (!joints.length) return why ? element("span") : element("p", {}, "No joint moved by more than 1° or 1 mm.");
+    return choosing("joint", "Joint", joints.map(({name}) => ({value: name, text: name})), name => trend(kind, kind.points(({angles}) => angles?.[name]),
+      {label: "mean errors over a joint's angle", xLabel: name + " [" + (data.jointUnits[name] ?? "°") + "]", groupOf: poseOf}), joints[0].name);
+  })];
 }
 
-const overTime = () => trend(trendPoints(timeOf), {label: "mean errors over time",
-  xLabel: severalSets ? "time [s], sets one after the other" : "time [s]", groupOf: picture => poseOf(picture) + "/" + picture.repeat});
+const overTime = () => byKind("timesOf", kind => trend(kind, kind.points(timeOf), {label: "mean errors over time",
+  xLabel: severalSets ? "time [s], sets one after the other" : "time [s]", groupOf: capture => poseOf(capture) + "/" + capture.repeat}));
 
-const byPose = () => errorGroups(byTime.map(picture => ({group: poseOf(picture), corners: () => cornersOf(picture, layer()), picture, name: nameOf(picture)})),
-  {xLabel: "poses in the order they were first taken", label: "errors by pose", pixelNoise: data.pixelNoise, open: pictures.open});
+const cornerMember = (/** @type {string} */ group, /** @type {Picture} */ picture, /** @type {string} */ name, board = "") => ({group, picture, name,
+  lengths: () => cornersOf(picture, layer()).filter(corner => !board || corner.board === board).map(lengthOf)});
+const cornerGroups = {title: "rms error [px]", noise: Math.SQRT2 * data.pixelNoise, noiseName: "corner noise alone", words: px, open: cornerErrors.open};
+
+const byPose = () => errorGroups(byTime.map(picture => cornerMember(poseOf(picture), picture, nameOf(picture))),
+  {...cornerGroups, xLabel: "poses in the order they were first taken", label: "errors by pose"});
 
 function byBoard() {
-  const members = byTime.flatMap(picture => picture.boards.map(({board}) => ({group: board, picture, name: "board " + board + " in " + nameOf(picture),
-    corners: () => cornersOf(picture, layer()).filter(corner => corner.board === board)})));
-  return errorGroups(members.sort((a, b) => a.group < b.group ? -1 : a.group > b.group ? 1 : 0),
-    {xLabel: "boards", label: "errors by board", pixelNoise: data.pixelNoise, open: pictures.open});
+  const members = byTime.flatMap(picture => picture.boards.map(({board}) => cornerMember(board, picture, "board " + board + " in " + nameOf(picture), board)));
+  return errorGroups(members.sort((a, b) => a.group < b.group ? -1 : a.group > b.group ? 1 : 0), {...cornerGroups, xLabel: "boards", label: "errors by board"});
+}
+
+/** @param {ReadingSeries} series */
+function byMarker({points, unit, sigma, title}) {
+  const members = [...groupsOf(points)].flatMap(([group, list]) => list.map(reading => ({group: String(group), picture: undefined,
+    name: targetName(reading) + ", " + nameOf(data.captures[reading.of]), lengths: () => [lengthOfError(reading, layer())]})));
+  return element("div", {}, element("h3", {}, title), errorGroups(members, {title: "error [" + unit + "]", noise: Math.sqrt(3) * sigma, noiseName: "noise of readings alone",
+    words: value => sized(value, unit), xLabel: points.some(({place}) => place) ? "places" : "markers and frames", label: "errors by marker: " + title}));
 }
 
 const overImage = () => [...groupBy([...data.pictures].sort((a, b) => a.camera < b.camera ? -1 : 1), ({camera}) => camera).values()]
-  .map(list => residualField(list, {layer, nameOf, open: pictures.open}));
+  .map(list => residualField(list, {layer, nameOf, open: cornerErrors.open}));
 
 function weak() {
   if (!data.weak.length) return "";
   return element("div", {}, element("h3", {}, "Weakly determined combinations"), element("ul", {}, ...data.weak.map(({sentence, sigma, unit}) =>
-    element("li", {}, sentence + " (" + (unit === "rad" ? "± " + (sigma * 180 / Math.PI).toPrecision(2) + "° along this combination"
+    element("li", {}, sentence + " (" + (unit === "rad" ? "± " + short(Number((sigma * 180 / Math.PI).toPrecision(2))) + "° along this combination"
       : Math.round(100 * Math.min(1, sigma)) + " % of the prior uncertainty remains along this combination") + ")"))));
 }
 
@@ -93,18 +104,33 @@ function aboutPhotographs() {
     : "The frames are empty: " + (data.missing.join("; ") || "no photographs were kept with the captures") + ".";
 }
 
-const pictures = showPictures(byTime, {layer, nameOf});
 const showTrends = () => {
   at("angles").replaceChildren(...angles());
   at("times").replaceChildren(overTime());
 };
-at("layer").addEventListener("change", () => { pictures.show(); showTrends(); redrawAll(); });
+
+for (const part of /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll("[data-of]"))) {
+  part.hidden = !data[/** @type {"pictures" | "readings"} */ (part.dataset.of)].length;
+}
+const pictures = data.pictures.length ? showPictures(byTime, {layer, nameOf}) : null;
+at("layer").addEventListener("change", () => { pictures?.show(); showTrends(); redrawAll(); });
 showHead({...data, sentence: (data.sentence ? data.sentence + " " : "") + "From " + data.sets.join(", ") + "."});
-document.title = "NAO " + data.robot + ": " + data.headline;
-at("photographs").textContent = aboutPhotographs();
+document.title = data.robot + ": " + data.headline;
 at("estimates").append(...data.groups.flatMap(group => [element("h3", {}, titleOf(group)), estimates(group)]), weak());
-at("fields").append(...overImage());
-at("poses").append(byPose());
-at("boards").append(byBoard());
+if (data.pictures.length) {
+  at("photographs").textContent = aboutPhotographs();
+  at("fields").append(...overImage());
+  at("poses").append(byPose());
+  at("boards").append(byBoard());
+}
+if (data.readings.length) {
+  at("dotsWords").textContent = dotsWords;
+  at("arrowsWords").textContent = arrowsWords;
+  at("histogramWords").textContent = histogramWords;
+  at("readingDots").append(dotsOfReadings(data.readings, "dotsOf", readingTools));
+  at("readingArrows").append(arrowsOfReadings(data.readings, "arrowsOf", readingTools));
+  at("readingHistograms").append(histogramsOfReadings(data.readings));
+  at("readingGroups").append(...data.readings.map(byMarker));
+}
 showTrends();
 showContents();

@@ -1,13 +1,13 @@
 // Candidate table: evidence, size, state, and effect on the errors.
 import {button, element, tipOver} from "naocal/lib/dom.js";
-import {allStates, chance, detectableWords, percent, px, short, sizeWords, stateName, stateTip, tenths} from "naocal/lib/format.js";
+import {allStates, chance, detectableWords, percent, short, sized, sizeWords, stateName, stateTip, tenths} from "naocal/lib/format.js";
 
 /** @import {Candidate} from "naocal/lib/types.js" */
 
 /** A column: `cell` fills a candidate's cell. @typedef {{title: string, words?: string, className?: string, cell: (candidate: Candidate, most: number) => (Node | string | null)[]}} Column */
 
 /** @param {Candidate} candidate */
-const isTested = ({state}) => state !== "no-data";
+const isTested = ({state, setUp}) => state !== "no-data" && !setUp;
 
 /** The displayed state of a candidate. @param {Candidate} candidate */
 const said = ({says, state}) => says ?? state;
@@ -40,7 +40,7 @@ export const columns = {
     cell: one => (isTested(one) ? one.sizes : []).map(size => element("div", {}, detectableWords(size)))},
   /** @type {Column} */
   heldOut: {title: "held-out error", words: "error on poses that were not fitted, without and with it", className: "number",
-    cell: ({before, after}) => [before === null || after === null ? "–" : before.toFixed(2) + " → " + after.toFixed(2) + " px"]},
+    cell: ({before, after, errorUnit}) => [before === null || after === null ? "–" : sized(before, errorUnit).replace(/\s?[^\d.]*$/, "") + " → " + sized(after, errorUnit)]},
   /** @type {Column} */
   fall: {title: "fall of χ²", words: "predicted / found by refitting", className: "number",
     cell: one => [isTested(one) ? short(one.predictedDrop) + (one.realDrop === null ? "" : " / " + short(one.realDrop)) : "–"]},
@@ -53,14 +53,15 @@ export const remarks = ({state, why, equivalent, plausible}) => [why,
 
 /** Tooltip with all numbers of a candidate. @param {Candidate} candidate */
 function candidateTip(candidate) {
-  const {label, sizes, power, kept, evidence, pValue, predictedDrop, realDrop, before, after, step} = candidate;
+  const {label, sizes, power, kept, evidence, pValue, predictedDrop, realDrop, before, after, step, errorUnit, setUp} = candidate;
+  if (setUp) return label + "\na suspected set-up: " + candidate.why;
   if (!isTested(candidate)) return label + "\n" + stateTip(said(candidate));
   return [label, stateTip(said(candidate)), "evidence " + (evidence === null ? "–" : tenths(evidence)) + ", alone " + chance(pValue || 0) +
     (step ? ", after " + step + " additions" : ""),
   ...sizes.map(size => sizeWords(size) + (size.detectable === null ? "" : "; smallest detectable " + detectableWords(size))),
-  "chance to notice a plausible size: " + percent(power), "share that other parameters cannot mimic: " + percent(kept),
+  "chance to notice a plausible size: " + percent(power ?? 0), "share that other parameters cannot mimic: " + percent(kept ?? 0),
   "χ² falls by " + short(predictedDrop) + " (predicted)" + (realDrop === null ? "" : ", " + short(realDrop) + " (refitted)"),
-  ...(before !== null && after !== null ? ["held-out error: " + px(before) + " → " + px(after)] : [])].join("\n");
+  ...(before !== null && after !== null ? ["held-out error: " + sized(before, errorUnit) + " → " + sized(after, errorUnit)] : [])].join("\n");
 }
 
 /**

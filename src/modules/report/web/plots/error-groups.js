@@ -1,41 +1,39 @@
-// Errors by pose or board: a dot per member, a dash at the group's rms.
+// Errors by pose, board, marker or place: a dot per member, a dash at the group's rms.
 import {axes, dot} from "naocal/lib/axes.js";
 import {colours, figure} from "naocal/lib/figure.js";
-import {px} from "naocal/lib/format.js";
-import {groupBy, quantile} from "naocal/lib/statistics.js";
-import {errorOf} from "naocal/lib/captures.js";
+import {groupBy, quantile, rms} from "naocal/lib/statistics.js";
 
 /** @import {Box, Context} from "naocal/lib/axes.js" */
-/** @import {Corner, Picture} from "naocal/lib/types.js" */
 
-/** @typedef {{group: string, corners: () => Corner[], picture: Picture, name: string}} Member */
+/** `lengths`: of its error vectors; `picture`: what a click opens. @typedef {{group: string, lengths: () => number[], picture?: any, name: string}} Member */
 /** @typedef {ReturnType<typeof axes>} Scale */
 
 /**
  * Groups are ordered by their first member.
  * @param {Member[]} members
- * @param {{xLabel: string, label: string, pixelNoise: number, open?: (picture: Picture) => void}} options
+ * @param {{title: string, xLabel: string, label: string, noise: number, noiseName: string, words: (error: number) => string, open?: (picture: any) => void}} options
+ *   `noise`: rms error of noise alone
  */
-export function errorGroups(members, {xLabel, label, pixelNoise, open}) {
-  const groups = groupBy(members, ({group}) => group), noise = Math.SQRT2 * pixelNoise;
+export function errorGroups(members, {title, xLabel, label, noise, noiseName, words, open}) {
+  const groups = groupBy(members, ({group}) => group);
   return figure({height: 280, label, open, draw: (context, width, height) => {
-    const values = members.map(member => errorOf(member.corners()));
+    const values = members.map(member => rms(member.lengths()));
     const highest = Math.max(1e-3, Math.min(1.08 * quantile(values, 1), 4 * quantile(values, 0.9)));
     const box = {left: 45, right: width - 5, top: 30, bottom: height - 40};
-    const scale = axes(context, box, [-0.5, groups.size - 0.5], [0, highest], {title: "rms error [px]"});
-    if (noise <= highest) drawNoise(context, box, scale.y(noise));
+    const scale = axes(context, box, [-0.5, groups.size - 0.5], [0, highest], {title});
+    if (noise <= highest) drawNoise(context, box, scale.y(noise), noiseName);
     drawNames(context, [...groups.keys()].map(String), box, scale.x, xLabel);
-    return [...groups.entries()].flatMap(([name, list], place) => drawGroup(context, scale, {name: String(name), list, place, highest}));
+    return [...groups.entries()].flatMap(([name, list], place) => drawGroup(context, scale, {name: String(name), list, place, highest, words}));
   }});
 }
 
-/** @param {Context} context @param {Scale} scale @param {{name: string, list: Member[], place: number, highest: number}} group */
-function drawGroup(context, {x, y, line}, {name, list, place, highest}) {
-  const half = Math.min(60, 0.35 * (x(1) - x(0))), level = errorOf(list.flatMap(member => member.corners()));
+/** @param {Context} context @param {Scale} scale @param {{name: string, list: Member[], place: number, highest: number, words: (error: number) => string}} group */
+function drawGroup(context, {x, y, line}, {name, list, place, highest, words}) {
+  const half = Math.min(60, 0.35 * (x(1) - x(0))), level = rms(list.flatMap(member => member.lengths()));
   const targets = list.map((member, i) => {
-    const value = errorOf(member.corners()), across = list.length > 1 ? 1.2 * half * (i / (list.length - 1) - 0.5) : 0;
+    const value = rms(member.lengths()), across = list.length > 1 ? 1.2 * half * (i / (list.length - 1) - 0.5) : 0;
     return {x: x(place) + across, y: y(Math.min(highest, value)), beyond: value > highest ? -1 : 0, picture: member.picture,
-      tip: () => member.name + "\n" + px(value) + " rms; all of " + name + ": " + px(level)};
+      tip: () => member.name + "\n" + words(value) + " rms; all of " + name + ": " + words(level)};
   });
   context.fillStyle = colours.blue;
   context.globalAlpha = 0.65;
@@ -48,15 +46,15 @@ function drawGroup(context, {x, y, line}, {name, list, place, highest}) {
   return targets;
 }
 
-/** Reference line: rms error expected from pixel noise alone. @param {Context} context @param {Box} box @param {number} level [px of the drawing] */
-function drawNoise(context, box, level) {
+/** Reference line: rms error expected from noise alone. @param {Context} context @param {Box} box @param {number} level [px of the drawing] @param {string} name */
+function drawNoise(context, box, level, name) {
   context.strokeStyle = context.fillStyle = colours.soft;
   context.lineWidth = 1;
   context.setLineDash([6, 4]);
   context.beginPath();
   context.moveTo(box.left, level);
   context.lineTo(box.right, level);
-  const name = "corner noise alone", nameStart = box.right - context.measureText(name).width - 8;
+  const nameStart = box.right - context.measureText(name).width - 8;
   context.moveTo(nameStart - 28, box.top - 13);
   context.lineTo(nameStart, box.top - 13);
   context.stroke();

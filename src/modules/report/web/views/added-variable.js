@@ -90,8 +90,8 @@ function draw(context, width, height, {of, unit, slope, sigma, points}, tipOf) {
   });
 }
 
-const explanation = "Each point is a pose. Across: how far the effect would move its pictures in a way that nothing else in the model can follow. Up: how far " +
-  "they were measured to have moved in that direction. Both in standard errors of noise. Convincing: many poses along a line that is not flat; " +
+const explanation = "Each point is a pose. Across: how far the effect would move what was measured there, in a way that nothing else in the model can follow. Up: how far " +
+  "it was measured to have moved in that direction. Both in standard errors of noise. Convincing: many poses along a line that is not flat; " +
   "its slope is the effect's size, with a band of two standard errors. Suspicious: one far point that carries the line alone.";
 
 /** @type {View} */

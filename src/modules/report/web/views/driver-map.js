@@ -1,6 +1,7 @@
 // Heat map of joints by drivers: evidence for a curve of each joint's error over each driver.
 import {bold, element} from "naocal/lib/dom.js";
 import {figure, font, colours} from "naocal/lib/figure.js";
+import {fitting} from "naocal/lib/axes.js";
 import {chance, driverWords, tenths} from "naocal/lib/format.js";
 
 /** @import {MapCell, View} from "naocal/lib/types.js" */
@@ -9,7 +10,7 @@ import {chance, driverWords, tenths} from "naocal/lib/format.js";
 const bestOf = cells => cells.reduce((a, b) => a.evidence > b.evidence ? a : b);
 /** @param {MapCell[]} cells */
 const jointsOf = cells => [...new Set(cells.map(({joint}) => joint))];
-const top = 132; // height of the column headings [px]
+const letter = 6.3, leastTop = 132, mostTop = 200, leastLeft = 104; // of the headings, and the width of a letter [px]
 const shortNames = new Map([["t", "time"], ["T", "temperature"], ["qd", "speed"]]);
 /** @param {string} name */
 const shortName = name => shortNames.get(name) ?? name.replace("tau_", "torque ");
@@ -19,12 +20,14 @@ function driverMap(cells) {
   const joints = jointsOf(cells), best = bestOf(cells), most = Math.max(6, best.evidence); // evidence below 6 never gets the full colour
   const rank = (/** @type {string} */ name) => joints.includes(name) ? 0 : name.startsWith("tau_") ? 1 : 2;
   const drivers = [...new Set(cells.map(({driver}) => driver))].sort((a, b) => rank(a) - rank(b));
+  const longest = (/** @type {string[]} */ names) => letter * Math.max(...names.map(({length}) => length));
+  const top = Math.max(leastTop, Math.min(mostTop, longest(drivers.map(shortName)))); // height of the columns' headings
   return figure({
     height: width => top + 2 + joints.length * Math.max(14, Math.min(26, width / 36)), label: "evidence by joint and driver",
     draw: (context, width, height) => {
       context.font = font;
-      const left = 104, wide = (width - left - 2) / drivers.length, high = (height - top - 2) / joints.length, gap = wide > 6 ? 1 : 0;
-      drawNames(context, joints, drivers.map(shortName), {left, wide, high});
+      const left = Math.max(leastLeft, Math.min(0.25 * width, longest(joints) + 8)), wide = (width - left - 2) / drivers.length, high = (height - top - 2) / joints.length, gap = wide > 6 ? 1 : 0;
+      drawNames(context, joints, drivers.map(shortName), {left, top, wide, high});
       drawScale(context, most);
       return cells.map(cell => {
         const x = left + drivers.indexOf(cell.driver) * wide, y = top + joints.indexOf(cell.joint) * high;
@@ -46,12 +49,12 @@ function driverMap(cells) {
   });
 }
 
-/** @param {CanvasRenderingContext2D} context @param {string[]} joints @param {string[]} drivers @param {{left: number, wide: number, high: number}} sizes */
-function drawNames(context, joints, drivers, {left, wide, high}) {
+/** @param {CanvasRenderingContext2D} context @param {string[]} joints @param {string[]} drivers @param {{left: number, top: number, wide: number, high: number}} sizes */
+function drawNames(context, joints, drivers, {left, top, wide, high}) {
   context.textBaseline = "middle";
   context.textAlign = "right";
   context.fillStyle = colours.soft;
-  joints.forEach((joint, row) => context.fillText(joint, left - 6, top + (row + 0.5) * high));
+  joints.forEach((joint, row) => context.fillText(fitting(context, joint, left - 8), left - 6, top + (row + 0.5) * high));
   const every = Math.ceil(13 / wide);
   context.textAlign = "left";
   drivers.forEach((driver, column) => {
@@ -59,7 +62,7 @@ function drawNames(context, joints, drivers, {left, wide, high}) {
     context.save();
     context.translate(left + (column + 0.5) * wide, top - 5);
     context.rotate(-Math.PI / 2);
-    context.fillText(driver, 0, 0);
+    context.fillText(fitting(context, driver, top - 8), 0, 0);
     context.restore();
   });
 }

@@ -35,7 +35,7 @@ function jointsByTrend(data, left) {
 /** @param {Diagnosis} data @param {Left} left @param {string} joint @param {Driver} driver @param {(picture: number) => void} [open] */
 function jointCorrection(data, left, joint, driver, open) {
   const {points, means} = pointsOf(data, left, joint, driver), {unit, what} = driver, {poseName} = captureNames(data);
-  const strength = trendStrength(means);
+  const strength = trendStrength(means), jointUnit = left.whatIf.find(one => one.joint === joint)?.unit ?? "°";
   return captioned({height: 340, label: "error of " + joint + " over " + what, open, draw: (context, width, height, caption) => {
     caption.replaceChildren(bold(joint + " over " + what), strength > 2
       ? ": a trend, its means lie " + strength.toFixed(1) + " standard errors from zero."
@@ -43,8 +43,8 @@ function jointCorrection(data, left, joint, driver, open) {
     return drawScatter(context, width, height, {
       points: points.map(({x, y, sigma, pictures}) => ({x, y, sigma, picture: pictures[0], tip: () =>
         poseName(data.pictures[pictures[0]].pose) + "\ncaptures " + pictures.map(picture => data.pictures[picture].capture).join(", ") +
-        "\n" + what + ": " + withUnit(short(x), unit) + "\n" + joint + " off by " + withError(y, sigma, "°")})),
-      means, title: "error of " + joint + " that would explain the misfit [°]", xLabel: what + (unit ? " [" + unit + "]" : ""),
+        "\n" + what + ": " + withUnit(short(x), unit) + "\n" + joint + " off by " + withError(y, sigma, jointUnit)})),
+      means, title: "error of " + joint + " that would explain the misfit [" + jointUnit + "]", xLabel: what + (unit ? " [" + unit + "]" : ""),
     });
   }});
 }

@@ -3,6 +3,8 @@
 export {view as addedVariable} from "naocal/views/added-variable.js";
 export {view as aliasMatrix} from "naocal/views/alias-matrix.js";
 export {view as effectSignature} from "naocal/views/effect-signature.js";
+export {view as kindErrors} from "naocal/views/kind-errors.js";
+export {view as readings} from "naocal/views/readings.js";
 export {view as driverMap} from "naocal/views/driver-map.js";
 export {view as driverCurve} from "naocal/views/driver-curve.js";
 export {view as jointCorrection} from "naocal/views/joint-correction.js";

@@ -1,0 +1,100 @@
+#include "report/DiagnosisFacts.hpp"
+
+#include "math/Angles.hpp"
+#include "report/PageValues.hpp"
+
+#include <fmt/format.h>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace naocal {
+
+namespace {
+
+constexpr Range probability{0, 1, ""};
+constexpr Range pixels{0, 1e9, "px"};
+
+/// Joint scatter from pose to pose in the last model, 1 sigma [rad].
+double scatterOf(const JsonCursor& diagnosis) {
+  return diagnosis.at("poseScatter").number({0, 10, "rad"});
+}
+
+std::string chance(double p) {
+  return p < 0.001 ? "p < 0.001" : fmt::format("p = {:.2g}", p);
+}
+
+Fact heldOutFact(const std::vector<JsonCursor>& all, const std::string& floor, const ErrorUnit& errors) {
+  const std::string noise =
+      fmt::format("{}: {}", floor, formatError(all.back().at("noiseFloorPx").number(pixels), errors));
+  if (all.front().at("heldOutPx").value().is_null()) {
+    return {formatError(all.front().at("rmsPx").number(pixels), errors),
+            "error of the fit (of one pose: none is left to hold out); " + noise + "."};
+  }
+  const std::string before = formatError(all.front().at("heldOutPx").number(pixels), errors),
+                    after = formatError(all.back().at("heldOutPx").number(pixels), errors);
+  if (all.size() == 1) {
+    return {before, "held-out error: on poses that the fit has not seen; " + noise + "."};
+  }
+  return {fmt::format("{} → {}", before.substr(0, before.find(' ')), after),
+          "held-out error: on poses that neither the fit nor the choice of effects has seen, before and after adding "
+          "what is suggested; " +
+              noise + "."};
+}
+
+/// `found`: the verdict is something other than a candidate, found by its own test.
+Fact alarmFact(double alarm, bool found) {
+  if (alarm <= 0.05) {
+    return {chance(alarm), "is the chance that noise alone looks this convincing."};
+  }
+  return {chance(alarm), std::string{"is the chance that noise alone looks this convincing: "} +
+                             (found ? "no reason to add a candidate. The finding above rests on a test of its own."
+                                    : "no reason to add anything.")};
+}
+
+Fact lackOfFitFact(const JsonCursor& lackOfFit) {
+  return {fmt::format("{:.2f}", lackOfFit.at("statistic").number({0, 1e15, ""})),
+          "is the lack of fit of the first model, chi² per degree of freedom; noise alone gives 1."};
+}
+
+} // namespace
+
+const std::vector<std::string_view>& verdicts() {
+  static const std::vector<std::string_view> all{"adequate", "effect-missing", "unknown-effect",
+                                                 "scatter",  "inconclusive",   "bad-captures"};
+  return all;
+}
+
+std::string verdictHeadline(const JsonCursor& diagnosis) {
+  static const std::vector<std::string> headlines{"The model explains these captures.",
+                                                  "An effect is missing in the model.",
+                                                  "Something that no known effect explains is at work.",
+                                                  "Joints scatter at random.",
+                                                  "Undecided: the model does not fit, but no single cause stands out.",
+                                                  "Something is wrong with the captures or the set-up."};
+  return headlines[diagnosis.at("verdict").wordIndex(verdicts())];
+}
+
+std::string noiseFloorName(const JsonCursor& diagnosis) {
+  return scatterOf(diagnosis) > 0 ? "noise floor with joint scatter" : "noise floor";
+}
+
+std::vector<Fact> diagnosisFacts(const JsonCursor& diagnosis, const ErrorUnit& errors) {
+  const std::vector<JsonCursor> steps = diagnosis.at("steps").elements();
+  if (steps.empty()) { // no fit was possible
+    return {};
+  }
+  const double scatter = scatterOf(diagnosis);
+  std::vector<Fact> facts{
+      heldOutFact(steps, noiseFloorName(diagnosis), errors),
+      alarmFact(diagnosis.at("alarm").number(probability),
+                diagnosis.at("verdict").text() == "unknown-effect" || diagnosis.at("verdict").text() == "bad-captures"),
+      lackOfFitFact(diagnosis.at("lackOfFit"))};
+  if (scatter > 0) {
+    facts.push_back({fmt::format("{:.3f}°", degrees(scatter)),
+                     "by which joints deflect at random from pose to pose (1 sigma) beyond what the model explains."});
+  }
+  return facts;
+}
+
+} // namespace naocal

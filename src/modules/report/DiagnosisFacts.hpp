@@ -1,0 +1,25 @@
+#pragma once
+
+#include "calibration/ReadingErrors.hpp"
+#include "io/JsonReader.hpp"
+#include "report/ResultFacts.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace naocal {
+
+/// All verdicts, as diagnosis files name them.
+const std::vector<std::string_view>& verdicts();
+
+/// The verdict as a headline.
+std::string verdictHeadline(const JsonCursor& diagnosis);
+
+/// Name of the noise floor: with joint scatter if the last model needs it.
+std::string noiseFloorName(const JsonCursor& diagnosis);
+
+/// The figures behind the verdict: held-out error, false-alarm probability, lack of fit, scatter.
+std::vector<Fact> diagnosisFacts(const JsonCursor& diagnosis, const ErrorUnit& errors);
+
+} // namespace naocal

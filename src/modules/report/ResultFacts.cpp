@@ -1,0 +1,202 @@
+#include "report/ResultFacts.hpp"
+
+#include "io/Units.hpp"
+#include "math/Angles.hpp"
+#include "measurements/Witness.hpp"
+#include "report/PageValues.hpp"
+#include "report/ReadingsData.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <iterator>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+namespace naocal {
+
+namespace {
+
+double numberAt(const JsonCursor& place, const std::string& key) {
+  return place.at(key).number({-1e15, 1e15, ""});
+}
+
+Fact cornerFact(const JsonCursor& result, std::size_t pictures, const std::optional<DrawingErrors>& drawing) {
+  const double rms = numberAt(result, "rmsPx");
+  const std::string where =
+      fmt::format("rms distance between {:.0f} measured corners in {} pictures and where the result predicts them",
+                  numberAt(result, "corners"), pictures);
+  if (!drawing) {
+    return {fmt::format("{:.2f} px", rms), where + fmt::format(" (median {:.2f} px).", numberAt(result, "medianPx"))};
+  }
+  return {fmt::format("{:.3g} → {:.2f} px", drawing->rmsPx, rms),
+          where + "; the first number is with the robot's drawing alone, boards where they fit best."};
+}
+
+/// "0.24 mm", "0.044°"
+std::string formatSize(double size, const std::string& unit) {
+  const auto [shown, scale] = displayUnit(unit);
+  return appendUnit(fmt::format("{:.3g}", scale * size), shown);
+}
+
+/// What one instrument's errors are: its key in a result, its unit, and how they are called.
+struct ErrorOf {
+  std::string unit; // "m" or "rad"
+  std::string what; // "positions that laser measured"
+};
+
+Fact readingFact(const JsonCursor& summary, const ErrorOf& of, const ReadingSummary* drawing) {
+  const std::string rms = formatSize(numberAt(summary, "rms"), of.unit),
+                    where = fmt::format("rms {} between {:.0f} {} and where the result predicts them",
+                                        of.unit == "rad" ? "angle" : "distance", numberAt(summary, "points"), of.what);
+  if (!drawing) {
+    return {rms, where + fmt::format(" (median {}).", formatSize(numberAt(summary, "median"), of.unit))};
+  }
+  const std::string before = fmt::format("{:.3g}", displayUnit(of.unit).second * drawing->rms);
+  return {fmt::format("{} → {}", before, rms),
+          where + "; the first number is with the robot's drawing alone, instruments where they fit best."};
+}
+
+const ReadingSummary* summaryOf(const std::map<std::string, ReadingSummary>& all, const std::string& name) {
+  const auto entry = all.find(name);
+  return entry == all.end() ? nullptr : &entry->second;
+}
+
+/// One fact per tracker and unit, then contacts.
+std::vector<Fact> readingFacts(const JsonCursor& result, const std::optional<DrawingErrors>& drawing) {
+  std::vector<Fact> all;
+  const auto addTrackers = [&](const char* key, const char* unit, const char* what, const auto& drawn) {
+    if (const auto trackers = result.find(key)) {
+      for (const auto& [tracker, summary] : trackers->members()) {
+        all.push_back(readingFact(summary, {unit, fmt::format("{} that {} measured", what, tracker)},
+                                  drawing ? summaryOf(drawn(*drawing), tracker) : nullptr));
+      }
+    }
+  };
+  addTrackers("metres", "m", "positions", [](const DrawingErrors& errors) { return errors.readings.metres; });
+  addTrackers("radians", "rad", "attitudes", [](const DrawingErrors& errors) { return errors.readings.radians; });
+  if (const auto contacts = result.find("contacts")) {
+    all.push_back(readingFact(*contacts, {"m", "places that markers touched"},
+                              drawing && drawing->readings.contacts ? &*drawing->readings.contacts : nullptr));
+  }
+  return all;
+}
+
+/// Noise of an instrument's readings, or of a distance between places: "0.195 mm (estimated)".
+struct NoiseWords {
+  std::string name, size, source;
+  bool isDistance = false;
+};
+
+/// Instruments first, then distances.
+std::vector<NoiseWords> readingNoises(const JsonCursor& result) {
+  std::vector<NoiseWords> all;
+  for (const auto& [instrument, units] : result.at("noise").at("readings").members()) {
+    for (const auto& [unit, level] : units.members()) {
+      const auto trackers = result.find(unit);
+      const bool isDistance = instrument != contactLevel && !(trackers && trackers->find(instrument));
+      NoiseWords words{isDistance ? instrument : nameReadings(instrument, unit),
+                       formatSize(numberAt(level, "sigma"), unit == "metres" ? "m" : "rad"), level.at("source").text(),
+                       isDistance};
+      all.insert(isDistance ? all.end()
+                            : std::find_if(all.begin(), all.end(), [](const auto& one) { return one.isDistance; }),
+                 std::move(words));
+    }
+  }
+  return all;
+}
+
+/// "contacts 0.195 mm (estimated), positions of laser 0.3 mm (given)"; equal distances together.
+std::string formatReadingNoise(const std::vector<NoiseWords>& noises) {
+  std::vector<std::string> parts;
+  std::map<std::string, std::vector<std::string>> distances; // by size
+  for (const NoiseWords& noise : noises) {
+    const std::string size = fmt::format("{} ({})", noise.size, noise.source);
+    if (noise.isDistance) {
+      distances[size].push_back(noise.name);
+    } else {
+      parts.push_back(noise.name + " " + size);
+    }
+  }
+  for (const auto& [size, names] : distances) {
+    parts.push_back(names.size() == 1 ? fmt::format("the distance {} {}", names.front(), size)
+                                      : fmt::format("{} distances between places {}", names.size(), size));
+  }
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+/// Noise of an encoder and of joints, and where it is from.
+std::string formatJointNoise(const JsonCursor& noise) {
+  const bool told = noise.at("source").text() == "repeats";
+  const double stance = numberAt(noise, "stance");
+  return fmt::format("{:.3f}° of an encoder's reading; {:.3f}° of a joint from pose to pose{}: {}.",
+                     degrees(numberAt(noise, "encoder")), degrees(numberAt(noise, "pose")),
+                     stance > 0 ? fmt::format("; {:.3f}° more wherever the robot stands anew", degrees(stance)) : "",
+                     told ? "measured from poses that were taken more than once"
+                          : "partly assumed, because no pose was taken more than once");
+}
+
+Fact cornerNoiseFact(const JsonCursor& noise) {
+  return {fmt::format("{:.2g} px", numberAt(noise, "pixel")), "noise of a corner per axis; " + formatJointNoise(noise)};
+}
+
+/// Of readings that are no corners; the figure is of the first instrument.
+Fact readingNoiseFact(const JsonCursor& result, bool isAlone) {
+  const std::vector<NoiseWords> noises = readingNoises(result);
+  return {noises.front().size, fmt::format("noise of readings per axis, 1 sigma: {}{}", formatReadingNoise(noises),
+                                           isAlone ? "; " + formatJointNoise(result.at("noise")) : ".")};
+}
+
+/// The noise floor, and how often noise alone would give such evidence for a missing effect.
+Fact misfitFact(const JsonCursor& result) {
+  const double p = numberAt(result, "pValue");
+  const std::string chance =
+      p >= 0.05 ? "the best candidate for more is no more striking than pure noise."
+      : p >= 0.001
+          ? fmt::format("if nothing were missing, evidence this strong for a cause would turn up once in {:.0f} "
+                        "calibrations.",
+                        1 / p)
+          : "if nothing were missing, evidence this strong for a cause would turn up less than once in 1000 "
+            "calibrations.";
+  return {formatError(numberAt(result, "noiseFloorPx"), shownErrorUnit(result)), "is the noise floor; " + chance};
+}
+
+} // namespace
+
+VerdictWords verdictWords(const JsonCursor& result) {
+  const std::string said = result.at("sentence").text(), between = ": ";
+  const std::size_t colon = said.find(between);
+  if (colon == said.npos) {
+    return {said, ""};
+  }
+  std::string rest = said.substr(colon + between.size());
+  if (!rest.empty() && rest.front() >= 'a' && rest.front() <= 'z') {
+    rest.front() = static_cast<char>(rest.front() - 'a' + 'A');
+  }
+  return {said.substr(0, colon) + ".", std::move(rest)};
+}
+
+std::vector<Fact> facts(const JsonCursor& result, std::size_t pictures, const std::optional<DrawingErrors>& drawing) {
+  const JsonCursor noise = result.at("noise");
+  const bool hasReadings = noise.find("readings").has_value();
+  std::vector<Fact> all = readingFacts(result, drawing);
+  if (pictures > 0) {
+    all.insert(all.begin(), cornerFact(result, pictures, drawing));
+  }
+  if (const double floor = numberAt(result, "floorErrorAt2m"); floor > 0) {
+    all.push_back({fmt::format("± {:.1f} mm", 1000 * floor),
+                   "is how far off the robot will see a point on the floor 2 m ahead (1 sigma); below 50 mm is good "
+                   "enough to play."});
+  }
+  all.push_back(misfitFact(result));
+  if (pictures > 0) {
+    all.push_back(cornerNoiseFact(noise));
+  }
+  if (hasReadings) {
+    all.push_back(readingNoiseFact(result, pictures == 0));
+  }
+  return all;
+}
+
+} // namespace naocal

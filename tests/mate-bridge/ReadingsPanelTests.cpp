@@ -1,0 +1,104 @@
+#include "MeasuredArm.hpp"
+#include "TemporaryFolder.hpp"
+#include "analysis/AnalysisSession.hpp"
+#include "io/Files.hpp"
+#include "io/InputError.hpp"
+#include "math/Angles.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+
+using namespace naocal;
+using Json = nlohmann::json;
+
+namespace {
+
+/// A session about an arm that a tracker and contacts measured, whose gain the base model lacks.
+struct ArmBench {
+  ArmBench() { writeArmSet(folder.path() / "arm", {.gain = 0.05}); }
+
+  TemporaryFolder folder;
+  std::map<std::string, Json> told;
+  AnalysisSession::MessageSink sink = [this](const std::string& kind, const Json& content) { told[kind] = content; };
+};
+
+} // namespace
+
+TEST_CASE("the panel is told the errors of readings in their own units, with the captures that they belong to") {
+  // Proves the fit's message of a set without pictures: series in display units, an index of each capture in the
+  // drivers' values, the ladder in the same unit as the diagnosis, and sentences without pixels. Numbers are tested
+  // with the report.
+  ArmBench bench;
+  AnalysisSession session{openDataset({(bench.folder.path() / "arm").string()}), bench.sink};
+  CHECK(bench.told["set"]["isNao"] == false);
+  CHECK(bench.told["set"]["readings"] == 30 * (2 + 1 + 1));
+  session.fit();
+  const Json& fit = bench.told["fit"];
+  CHECK(fit["pictures"].empty());
+  REQUIRE(fit["readings"].size() == 3);
+  CHECK(fit["readings"][1]["title"] == "positions of laser");
+  REQUIRE(fit["captures"].size() == 30 * (2 + 1 + 1));
+  const Json captures = Json::parse(readFile(bench.folder.path() / "arm/captures.json"))["captures"];
+  for (const Json& driver : fit["drivers"]) {
+    CHECK(driver["values"].size() == 30);
+    const bool isTurn = driver["what"] == "the angle of turn", isSlide = driver["what"] == "the position of slide";
+    for (const Json& capture : fit["captures"]) { // less what the fit takes for their zeros
+      const double value = driver["values"][capture["index"].get<std::size_t>()];
+      const Json& read = captures[capture["capture"].get<std::size_t>()]["joints"]["measured"];
+      if (isTurn) {
+        CHECK(value == Approx(degrees(read[0].get<double>())).margin(5));
+      }
+      if (isSlide) {
+        CHECK(value == Approx(1e3 * read[2].get<double>()).margin(15));
+      }
+    }
+    CHECK(driver["unit"] == (isSlide ? "mm" : isTurn ? "°" : driver["unit"]));
+  }
+  for (const Json& sentence : fit["facts"]) {
+    CHECK_THAT(sentence.dump(), !Catch::Contains("px"));
+  }
+  CHECK(bench.told["ladder"]["unit"] == "mm");
+  CHECK(bench.told["ladder"]["rungs"][0]["rms"] == fit["rms"]);
+
+  session.testCandidates();
+  const Json &questions = bench.told["questions"], &rung = bench.told["ladder"]["rungs"][0];
+  CHECK(questions["unit"] == "mm");
+  CHECK(rung["rms"].get<double>() == Approx(questions["steps"][0]["rms"].get<double>()));
+  CHECK(rung["heldOut"].get<double>() == Approx(questions["steps"][0]["heldOut"].get<double>()));
+  CHECK(questions["candidates"][0]["label"] == "encoderGain@lift");
+  CHECK_THROWS_WITH(session.proposePoses(4), Catch::Contains("NAOs only"));
+}
+
+TEST_CASE("the share that a trend explains of readings is one of their own squared errors") {
+  // Proves that a hidden gain of a joint makes its error over its own angle the most telling plot and that the share is
+  // large and at most the whole, where no corner's error could be the measure.
+  ArmBench bench;
+  AnalysisSession session{openDataset({(bench.folder.path() / "arm").string()}), bench.sink};
+  session.fit();
+  const Json& pairs = bench.told["fit"]["telling"]["pairs"];
+  REQUIRE_FALSE(pairs.empty());
+  CHECK(pairs[0]["error"] == "lift");
+  CHECK(pairs[0]["share"].get<double>() > 0.1);
+  CHECK(pairs[0]["share"].get<double>() <= 1);
+  CHECK_THAT(pairs[0]["sentence"].get<std::string>(),
+             Catch::Contains("°") && Catch::Contains("% of the squared error"));
+}
+
+TEST_CASE("a comparison with other readings has a line for every kind") {
+  // Proves titles, units and that the drawing alone is worse; the errors are those of `naocal compare`.
+  ArmBench bench;
+  writeArmSet(bench.folder.path() / "other", {.contacts = false, .gain = 0.05});
+  AnalysisSession session{openDataset({(bench.folder.path() / "arm").string()}), bench.sink};
+  session.fit();
+  session.compareWith(openDataset({(bench.folder.path() / "other").string()}));
+  const Json& kinds = bench.told["compared"]["kinds"];
+  REQUIRE(kinds.size() == 2);
+  CHECK(kinds[0]["title"] == "positions of laser");
+  CHECK(kinds[0]["unit"] == "mm");
+  CHECK(kinds[0]["count"] == 90);
+  CHECK(kinds[0]["rms"].get<double>() == Approx(1e3 * bench.told["compared"]["metres"]["laser"]["rms"].get<double>()));
+  CHECK(kinds[0]["nominal"].get<double>() > 1.2 * kinds[0]["rms"].get<double>());
+  CHECK(kinds[1]["unit"] == "°");
+}
