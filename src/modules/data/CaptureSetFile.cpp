@@ -69,14 +69,14 @@ void readRobot(const JsonCursor& place, CaptureSet& set) {
   set.headId = textOf("headId");
 }
 
-/// `isModel`: only the joints of a NAO are known.
-std::vector<std::string> readJointNames(const JsonCursor& place, bool isModel, Refusals& refusals) {
+/// `isNao`: only the joints of a NAO are known; the description of another robot knows its own.
+std::vector<std::string> readJointNames(const JsonCursor& place, bool isNao, Refusals& refusals) {
   std::vector<std::string> names;
   for (const JsonCursor& entry : place.elements()) {
     std::string name;
     refusals.attempt([&] {
       name = entry.text();
-      if (isModel && std::find(naoJoints.begin(), naoJoints.end(), name) == naoJoints.end()) {
+      if (isNao && std::find(naoJoints.begin(), naoJoints.end(), name) == naoJoints.end()) {
         entry.refuse("one of the 26 joint names of a NAO, such as LKneePitch");
       }
       if (std::find(names.begin(), names.end(), name) != names.end()) {
@@ -162,9 +162,9 @@ void readSet(const JsonCursor& top, BadCapturePolicy bad, SetReading& reading, s
   Refusals& refusals = reading.refusals;
   set.version = requireCaptureSet(top);
   refusals.attempt([&] { readRobot(top.at("robot"), set); });
-  const bool isModel = set.urdf.empty();
+  const bool isModel = set.urdf.empty(), isNao = isModel && set.model.starts_with('V'); // V4, V5, V6
   reading.knowsJoints =
-      refusals.attempt([&] { set.jointNames = readJointNames(top.at("jointNames"), isModel, refusals); });
+      refusals.attempt([&] { set.jointNames = readJointNames(top.at("jointNames"), isNao, refusals); });
   const auto isThere = [&](const char* key) { return set.version == 1 || top.find(key); }; // pictures are optional
   if (isThere("cameras")) {
     reading.knowsCameras = refusals.attempt([&] { readCameras(top.at("cameras"), reading); });

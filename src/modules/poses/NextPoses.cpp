@@ -5,6 +5,7 @@
 #include "poses/candidates/SingleSupportPlanner.hpp"
 #include "poses/criteria/Discrimination.hpp"
 #include "poses/criteria/PlannedInformation.hpp"
+#include "robot/LegKinematics.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -96,6 +97,10 @@ NextPoses proposeNextPoses(const FittedModel& fitted, const ModelAmbiguity& ques
     return result;
   }
   const Robot& robot = measurements.robot;
+  if (!hasPlannableLegs(robot)) {
+    result.whyNone = "poses are planned for NAOs only";
+    return result;
+  }
   result.around = findLocalScenes(fitted);
   if (result.around.empty()) {
     result.whyNone = "no board lies on the floor before a standing robot";

@@ -122,4 +122,15 @@ std::optional<LegAngles> LegKinematics::solveAngles(const RigidTransform& torsoF
   return LegAngles{hipYawPitch, hipRoll, hipPitch, *kneePitch, angleAboutY(upInTibia), ankleRoll};
 }
 
+bool hasPlannableLegs(const Robot& robot) {
+  try {
+    for (const char* const side : {"left", "right"}) {
+      LegKinematics{robot, side};
+    }
+  } catch (const InputError&) { // legs of another build
+    return false;
+  }
+  return true;
+}
+
 } // namespace naocal

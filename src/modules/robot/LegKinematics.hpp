@@ -44,4 +44,7 @@ private:
   double thigh_ = 0, tibia_ = 0, footHeight_ = 0; // [m]
 };
 
+/// Whether both legs of a robot have that structure, so that poses on its feet can be planned.
+bool hasPlannableLegs(const Robot& robot);
+
 } // namespace naocal

@@ -96,7 +96,7 @@ struct Robot {
   std::vector<Joint> joints;
   std::vector<CameraMount> cameras;
   std::vector<Sole> soles;
-  std::vector<Capsule> collisionCapsules; // empty: no self-collision check
+  std::vector<Capsule> collisionCapsules; // links without one are never in the way
 
   /// Index of the element of this name; absent if there is none.
   std::optional<std::size_t> jointIndex(std::string_view name) const;
@@ -112,7 +112,7 @@ struct Robot {
 /// 7396).
 Robot loadRobot(const std::filesystem::path& drawing);
 
-/// Description of a model ("V4", "V5", "V6"): `<configuration>/drawings/Nao<model>.json`.
+/// Description of a model: `<configuration>/drawings/<model>.json` ("K1"), or Nao<model>.json ("V4", "V5", "V6").
 Robot loadRobot(const std::filesystem::path& configuration, std::string_view model);
 
 /// Configuration folder: $NAOCAL_CONFIGURATION, else ../share/naocal/configuration beside the installed program, else

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
@@ -368,18 +369,25 @@ nlohmann::json document(const std::filesystem::path& file) {
   return document;
 }
 
-/// Models with descriptions in a folder: "V4", "V5", "V6".
-std::vector<std::string> models(const std::filesystem::path& drawings) {
-  std::vector<std::string> names;
+/// Descriptions in a folder by model: <model>.json, but Nao<model>.json for a NAO, whose models are short: "V6".
+std::map<std::string, std::filesystem::path> models(const std::filesystem::path& drawings) {
+  std::map<std::string, std::filesystem::path> files;
   std::error_code unreadable;
   for (const auto& entry : std::filesystem::directory_iterator{drawings, unreadable}) {
     const std::string name = entry.path().stem().string();
-    if (entry.path().extension() == ".json" && name.starts_with("Nao")) {
-      names.push_back(name.substr(3));
+    if (entry.path().extension() == ".json") {
+      files.emplace(name.starts_with("Nao") ? name.substr(3) : name, entry.path());
     }
   }
-  std::sort(names.begin(), names.end());
-  return names;
+  return files;
+}
+
+std::string listNames(const std::map<std::string, std::filesystem::path>& files) {
+  std::vector<std::string> names;
+  for (const auto& [name, file] : files) {
+    names.push_back(name);
+  }
+  return fmt::format("{}", fmt::join(names, ", "));
 }
 
 } // namespace
@@ -401,8 +409,9 @@ Robot loadRobot(const std::filesystem::path& drawing) {
 
 Robot loadRobot(const std::filesystem::path& configuration, std::string_view model) {
   const auto drawings = configuration / "drawings";
-  const std::vector<std::string> known = models(drawings);
-  if (std::find(known.begin(), known.end(), model) == known.end()) {
+  const std::map<std::string, std::filesystem::path> known = models(drawings);
+  const auto drawing = known.find(std::string{model});
+  if (drawing == known.end()) {
     throw InputError{
         known.empty()
             ? fmt::format("{}: expected drawings of robots, found none; set NAOCAL_CONFIGURATION to the "
@@ -410,14 +419,13 @@ Robot loadRobot(const std::filesystem::path& configuration, std::string_view mod
                           drawings.string())
             : fmt::format("{}: expected a drawing of one of the robots {{{}}}, found none of \"{}\"; name one "
                           "of them, or set NAOCAL_CONFIGURATION to the configuration's folder",
-                          drawings.string(), fmt::join(known, ", "), printableText(model, 60))};
+                          drawings.string(), listNames(known), printableText(model, 60))};
   }
-  const auto drawing = drawings / fmt::format("Nao{}.json", model);
-  Robot robot = loadRobot(drawing);
+  Robot robot = loadRobot(drawing->second);
   if (robot.model != model) {
     throw InputError{fmt::format("{}: model: expected \"{}\", as in the file's name, found \"{}\"; rename the file or "
                                  "correct the model",
-                                 drawing.string(), model, printableText(robot.model, 60))};
+                                 drawing->second.string(), model, printableText(robot.model, 60))};
   }
   return robot;
 }

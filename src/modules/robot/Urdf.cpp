@@ -3,6 +3,7 @@
 #include "io/Files.hpp"
 #include "io/InputError.hpp"
 #include "robot/UrdfChecks.hpp"
+#include "robot/UrdfShapes.hpp"
 
 #include <Eigen/Geometry>
 #include <console_bridge/console.h>
@@ -83,6 +84,9 @@ private:
       }
       link.mass = drawn.inertial->mass;
       link.centreOfMass = vectorOf(drawn.inertial->origin.position);
+    }
+    for (Capsule& capsule : makeCapsules(drawn, index)) {
+      robot_.collisionCapsules.push_back(capsule);
     }
     if (drawn.parent_joint) {
       place(*drawn.parent_joint, link);

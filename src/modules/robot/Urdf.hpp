@@ -7,10 +7,10 @@
 
 namespace naocal {
 
-/// Reads a robot from a URDF: links with masses, revolute, continuous, prismatic and fixed joints, limits, mimic
-/// (https://wiki.ros.org/urdf/XML). Links and joints are listed depth first from the root; absent elements have the
-/// specification's defaults. A joint that mimics one that mimics is driven by the first of them; a motor that drives
-/// several joints has one name, that of the joint that mimics none.
+/// Reads a robot from a URDF: links with masses and collision shapes (but for meshes), revolute, continuous, prismatic
+/// and fixed joints, limits, mimic (https://wiki.ros.org/urdf/XML). Links and joints are listed depth first from the
+/// root; absent elements have the specification's defaults. A joint that mimics one that mimics is driven by the first
+/// of them; a motor that drives several joints has one name, that of the joint that mimics none.
 ///
 /// Throws InputError with file, place, expected and found: files with xacro's elements or unexpanded expressions,
 /// loops, no root or several, unknown joint types, numbers that are none, zero axes, negative masses, mimic of unknown

@@ -1,5 +1,6 @@
 #include "simulation/Truth.hpp"
 
+#include "data/BoardFile.hpp"
 #include "io/FileVersion.hpp"
 
 #include <nlohmann/json.hpp>
@@ -23,6 +24,22 @@ Json placementsJson(const TruePlacements& placements) {
     stances[std::to_string(id)] = placementJson(placement);
   }
   return {{"boards", boards}, {"stances", stances}};
+}
+
+Json sceneJson(const TrueScene& scene) {
+  Json lists = Json::object();
+  for (const auto& [list, placements] : scene.placements) {
+    for (const auto& [id, placement] : placements) {
+      Json& written = lists[list][id];
+      for (const PlacementKey& key : placementKeys) {
+        written[key.key] = placement.*key.value;
+      }
+    }
+  }
+  for (const auto& [id, point] : scene.markers) {
+    lists["markers"][id] = {point.x(), point.y(), point.z()};
+  }
+  return lists;
 }
 
 Json unknownJson(const TrueUnknown& unknown) {
@@ -63,6 +80,14 @@ std::string formatTruth(const Truth& truth) {
   }
   for (const GrossCorner& corner : truth.grossCorners) {
     gross.push_back({{"capture", corner.capture}, {"board", corner.board}, {"corner", corner.corner}});
+  }
+  if (truth.scene) {
+    const Json json = withFormatInOrder("naocal-truth", {{"seed", truth.seed},
+                                                         {"effects", effects},
+                                                         {"placements", sceneJson(*truth.scene)},
+                                                         {"noise", noise},
+                                                         {"grossCorners", gross}});
+    return json.dump(1) + "\n";
   }
   const Json json = withFormatInOrder("naocal-truth", {{"seed", truth.seed},
                                                        {"effects", effects},

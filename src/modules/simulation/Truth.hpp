@@ -45,12 +45,19 @@ struct GrossCorner {
   int corner = 0;
 };
 
+/// Where everything is in a scene of any robot, in the world of a result or on its link.
+struct TrueScene {
+  std::map<std::string, std::map<std::string, Placement>> placements; // by list ("boards", "trackers", ...) and id
+  std::map<std::string, Eigen::Vector3d> markers;                     // pointInLink [m]
+};
+
 /// Ground truth of a simulated set; never part of the capture set.
 struct Truth {
   std::uint64_t seed = 0;
   std::vector<TrueEffect> effects;
   TruePlacements placements;                // in the world of a result: first floor board seen, unless surveyed
   TruePlacements ownWorld;                  // in the simulator's world
+  std::optional<TrueScene> scene;           // of any robot, instead of both
   std::map<std::string, TrueUnknown> noise; // standard deviations and shares, by name
   std::vector<DisplacedBoard> displacedBoards;
   std::vector<GrossCorner> grossCorners;

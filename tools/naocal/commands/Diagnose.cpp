@@ -13,6 +13,7 @@
 #include "estimation/ModelFile.hpp"
 #include "io/InputError.hpp"
 #include "poses/PoseFile.hpp"
+#include "robot/LegKinematics.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -67,7 +68,7 @@ void readModel(DiagnoseCommand& command, const Robot& robot) {
 }
 
 bool isNao(const Measurements& measurements) {
-  return measurements.sets->front().urdf.empty();
+  return hasPlannableLegs(measurements.robot);
 }
 
 /// Proposes the next poses; only the open questions if no poses are needed.

@@ -1,5 +1,6 @@
 #include "command-line/OptionChecks.hpp"
 #include "commands/Commands.hpp"
+#include "commands/SimulateRobot.hpp"
 #include "console/CommandLine.hpp"
 #include "console/OutputFiles.hpp"
 #include "console/PrintText.hpp"
@@ -22,6 +23,7 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <sstream>
 #include <string>
 #include <thread>
 
@@ -31,7 +33,7 @@ namespace {
 
 /// Options of `naocal simulate`, in degrees and millimetres.
 struct SimulateOptions {
-  std::string output, robot = "V6", support = "left", repeatKind = "rest", size = "640x480", json, boards;
+  std::string output, robot = "V6", support = "left", repeatKind = "rest", size = "640x480", json, boards, scene;
   std::string poses = "24"; // number of poses, or a pose file
   std::uint64_t seed = 1;
   double offsetDegrees = 6.5, mountDegrees = 2, mountMillimetres = 0, poseDegrees = 0, approachDegrees = 0;
@@ -160,7 +162,13 @@ void addOptions(CLI::App& simulator, SimulateOptions& options) {
   simulator.add_option("OUT", options.output, "folder to write; the truth goes beside it, into OUT.truth.json")
       ->type_name("FOLDER")
       ->required();
-  simulator.add_option("--robot", options.robot, "its model")->type_name("MODEL")->capture_default_str();
+  simulator.add_option("--robot", options.robot, "its model, or the URDF of any robot")
+      ->type_name("MODEL|URDF")
+      ->capture_default_str();
+  simulator
+      .add_option("--scene", options.scene,
+                  "what measures a robot that is no NAO: cameras, boards, trackers, markers; default: what suits it")
+      ->type_name("FILE");
   simulator.add_option("--support", options.support, "the foot it stands on")
       ->check(oneOf(std::vector<std::string>{"left", "right", "both"}))
       ->capture_default_str();
@@ -184,9 +192,9 @@ void addOptions(CLI::App& simulator, SimulateOptions& options) {
       .add_option(
           "--flaw", options.plan.flaw,
           "hidden effect, such as gearPlay@LKneePitch: elasticity (a spring), hysteresis or gearPlay at a joint, "
-          "linkLength at a length")
+          "linkLength at a length; of other robots than NAOs any effect, or several with commas")
       ->type_name("EFFECT@PLACE");
-  simulator.add_option("--flaw-scale", options.plan.flawScale, "size of the hidden effect: 1 as in a worn NAO")
+  simulator.add_option("--flaw-scale", options.plan.flawScale, "size of the hidden effect: 1 is its usual size")
       ->group(expertOptions)
       ->check(number(0.01, 10.0))
       ->capture_default_str();
@@ -301,8 +309,87 @@ std::size_t cornerCount(const CaptureSet& set) {
   return count;
 }
 
-void simulateSet(const SimulateOptions& options) {
+std::size_t readingCount(const CaptureSet& set) {
+  std::size_t count = 0;
+  for (const Capture& capture : set.captures) {
+    count += capture.points.size() + capture.frames.size();
+  }
+  return count;
+}
+
+std::vector<std::string> splitAtCommas(const std::string& text) {
+  std::vector<std::string> parts;
+  std::istringstream words{text};
+  for (std::string part; std::getline(words, part, ',');) {
+    parts.push_back(part);
+  }
+  return parts;
+}
+
+RobotSimulation describeRobot(const SimulateOptions& options, bool hasPixelNoise) {
+  const SimulationPlan& plan = options.plan;
+  return {.robot = options.robot,
+          .scene = options.scene,
+          .support = options.support,
+          .poses = options.poses,
+          .hasPixelNoise = hasPixelNoise,
+          .pixelNoise = plan.corners.pixel,
+          .poseNoise = radians(options.poseDegrees),
+          .plan = {.samples = plan.samples,
+                   .offsetRange = radians(options.offsetDegrees),
+                   .mountRange = radians(options.mountDegrees),
+                   .mountShiftRange = options.mountMillimetres / 1000,
+                   .flaws = splitAtCommas(plan.flaw),
+                   .flawScale = plan.flawScale,
+                   .heavyTails = plan.corners.heavyTails,
+                   .grossShare = plan.corners.grossShare,
+                   .grossSize = plan.corners.grossSize,
+                   .seed = options.seed,
+                   .robotSeed = plan.robotSeed,
+                   .sceneSeed = options.samePlace ? plan.robotSeed : std::nullopt}};
+}
+
+/// Simulates a robot that is no NAO.
+void simulateOtherRobot(const SimulateOptions& options, const CLI::App& simulator) {
+  refuseNaoOptions(simulator, options.robot);
+  const auto before = picturesIn(options.output);
+  const bool hasPixelNoise = simulator.get_option("--pixel-noise")->count() > 0;
+  SceneSimulation simulation = simulateRobot(describeRobot(options, hasPixelNoise));
+  const std::filesystem::path truth = truthPath(options.output);
+  copyUrdf(options.output, simulation.set);
+  writeCaptureSet(simulation.set, options.output);
+  writeAtomically(truth, formatTruth(simulation.truth));
+  removePictures(before, options.output);
+  const std::size_t captures = simulation.set.captures.size(), corners = cornerCount(simulation.set),
+                    readings = readingCount(simulation.set);
+  if (!options.json.empty()) {
+    writeJson(withFormat("naocal-simulation", {{"set", options.output},
+                                               {"truth", truth.string()},
+                                               {"captures", captures},
+                                               {"corners", corners},
+                                               {"readings", readings},
+                                               {"seed", options.seed}}),
+              options.json);
+  }
+  if (options.json != "-") {
+    printText("{}: {} captures of {} poses, {} corners, {} tracker readings\n", options.robot, captures, options.poses,
+              corners, readings);
+    printText("self-collision: {} of {} links have a shape to collide with\n", simulation.shapedLinks,
+              simulation.links);
+    printText("set:   {}\ntruth: {}\n", options.output, truth.string());
+  }
+}
+
+void simulateSet(const SimulateOptions& options, const CLI::App& simulator) {
   refuseWhatIsThere(options.output, options.force);
+  if (isOtherRobot(options.robot)) {
+    simulateOtherRobot(options, simulator);
+    return;
+  }
+  if (!options.scene.empty()) {
+    throw InputError{
+        fmt::format("--scene: a {} is measured by its own cameras; name its boards with --boards", options.robot)};
+  }
   const auto before = picturesIn(options.output);
   const Robot robot = loadRobot(configurationDirectory(), options.robot);
   const SimulationPlan plan = makePlan(options, robot);
@@ -340,10 +427,11 @@ void addSimulate(CLI::App& app) {
   auto options = std::make_shared<SimulateOptions>();
   CLI::App* simulator = app.get_subcommand("simulate");
   simulator->footer("Example: naocal simulate simulated/left --poses 24 --images\n"
+                    "A robot with a URDF: naocal simulate simulated/arm --robot arm.urdf --flaw elasticity@elbow\n"
                     "The same robot in further poses, its other flags repeated:\n"
                     "  naocal simulate simulated/more --poses poses.json --seed 2 --robot-seed 1 --same-place");
   addOptions(*simulator, *options);
-  simulator->callback([options] { simulateSet(*options); });
+  simulator->callback([options, simulator] { simulateSet(*options, *simulator); });
 }
 
 } // namespace naocal

@@ -54,7 +54,13 @@ Eigen::VectorXd bentKneesStance(const Robot& robot) {
   for (const auto& [joint, degrees] : {std::pair{"ShoulderPitch", 90}, std::pair{"HipPitch", -25},
                                        std::pair{"KneePitch", 50}, std::pair{"AnklePitch", -25}}) {
     for (const char* side : {"L", "R"}) {
-      angles[static_cast<Eigen::Index>(robot.jointIndex(side + std::string{joint}).value())] = radians(degrees);
+      const std::string name = side + std::string{joint};
+      const auto index = robot.jointIndex(name);
+      if (!index) {
+        throw InputError{fmt::format(
+            "the drawing of {}: expected the joint {} of a NAO, found none; this is for NAOs only", robot.model, name)};
+      }
+      angles[static_cast<Eigen::Index>(*index)] = radians(degrees);
     }
   }
   return angles;

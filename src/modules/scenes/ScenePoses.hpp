@@ -1,0 +1,45 @@
+#pragma once
+
+#include "math/Sampling.hpp"
+#include "robot/SelfCollision.hpp"
+#include "scenes/RobotScene.hpp"
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+namespace naocal {
+
+/// Draws poses that a robot can take: joints within their limits, free of self-collision as far as its description has
+/// shapes. A robot on its sole also balances on it, and nothing else is below the floor; its joints stay near their
+/// rest angles unless the scene gives ranges, and those of the leg turn as little as brings the centre of mass over the
+/// sole.
+class ScenePoses {
+public:
+  /// Keeps references to both.
+  ScenePoses(const Robot& robot, const RobotScene& scene, std::uint64_t seed);
+  ScenePoses(Robot&&, const RobotScene&, std::uint64_t) = delete;
+
+  /// One angle per joint [rad]; absent if the drawn pose cannot be taken.
+  std::optional<Eigen::VectorXd> draw();
+
+  /// The sole that the robot stands on; absent if its base stands.
+  const Sole* sole() const { return sole_; }
+
+private:
+  AngleRange rangeOf(std::size_t joint) const;
+  bool isWithinLimits(const Eigen::VectorXd& angles) const;
+  bool balance(ModelState& modelState);
+  bool isAboveFloor(const LinkPoses& torsoFromLink) const;
+  void followMotors(ModelState& modelState) const;
+
+  const Robot& robot_;
+  const RobotScene& scene_;
+  const Sole* sole_ = nullptr;
+  bool hasMasses_ = false;       // otherwise nothing is known of its balance
+  std::vector<std::size_t> leg_; // motors between the root and the sole
+  SelfCollision collision_;
+  RandomStream chance_;
+};
+
+} // namespace naocal

@@ -1,0 +1,243 @@
+#include "scenes/SceneSimulation.hpp"
+
+#include "io/InputError.hpp"
+#include "math/LinearAlgebra.hpp"
+#include "measurements/Noise.hpp"
+#include "scenes/TrueRobot.hpp"
+#include "simulation/Simulation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace naocal {
+
+namespace {
+
+RigidTransform placedBy(const Placement& p) {
+  return transformFromPlacement((Eigen::Matrix<double, 6, 1>{} << p.x, p.y, p.z, p.roll, p.pitch, p.yaw).finished());
+}
+
+Placement placementBy(const RigidTransform& transform) {
+  const Eigen::Matrix<double, 6, 1> p = placementFromTransform(transform);
+  return {p[0], p[1], p[2], p[3], p[4], p[5]};
+}
+
+/// Adds what encoders, cameras and trackers add to true readings.
+class ReadingSpoiler {
+public:
+  ReadingSpoiler(const RobotScene& scene, const ScenePlan& plan)
+      : scene_{scene}, plan_{plan}, encoders_{plan.seed, "encoders"}, corners_{plan.seed, "corners"}, trackers_{
+                                                                                                          plan.seed,
+                                                                                                          "trackers"} {}
+
+  /// The lists of a capture, in the order of the set's joints.
+  JointReadings readJoints(const Robot& robot, const Eigen::VectorXd& recorded, const Eigen::VectorXd& approach) {
+    JointReadings readings;
+    for (const std::string& name : scene_.set.jointNames) {
+      const Eigen::Index joint = eigenIndex(*robot.jointIndex(name));
+      const double sign = hasFlaw(std::string{reversedFlaw} + name) ? -1 : 1;
+      const double slip = hasFlaw(std::string{slippedFlaw} + name) ? scene_.set.slipSteps.at(name) : 0;
+      const double shown = sign * (recorded[joint] + encoders_.normal(scene_.noise.encoder)) + slip;
+      const double step = stepOf(name);
+      readings.measured.push_back(step > 0 ? step * std::round(shown / step) : shown);
+      readings.approach.push_back(sign * approach[joint]);
+    }
+    return readings;
+  }
+
+  void spoil(Capture& capture, std::vector<GrossCorner>& gross) {
+    if (capture.corners) {
+      for (BoardCorners& board : *capture.corners) {
+        spoilCorners(capture.id, board, gross);
+      }
+    }
+    for (PointReading& point : capture.points) {
+      point.xyz += drawThree(sigmaOf(point.tracker));
+    }
+    for (FrameReading& frame : capture.frames) {
+      frame.xyz += drawThree(sigmaOf(frame.tracker));
+      const double sigma = trackerOf(frame.tracker).sigmaRotation.value_or(scene_.noise.trackerRotation);
+      frame.rotation = Eigen::Quaterniond{rotationAbout(drawThree(sigma))} * frame.rotation;
+    }
+  }
+
+private:
+  bool hasFlaw(const std::string& flaw) const {
+    return std::find(plan_.flaws.begin(), plan_.flaws.end(), flaw) != plan_.flaws.end();
+  }
+
+  double stepOf(const std::string& joint) const {
+    const auto step = scene_.set.encoderSteps.find(joint);
+    return step != scene_.set.encoderSteps.end() ? step->second : scene_.set.urdf.empty() ? encoderStep : 0;
+  }
+
+  void spoilCorners(int capture, BoardCorners& board, std::vector<GrossCorner>& gross) {
+    const double pixel = scene_.noise.pixel;
+    const auto error = [&] { return plan_.heavyTails ? corners_.studentT4(pixel) : corners_.normal(pixel); };
+    for (std::size_t i = 0; i < board.ids.size(); ++i) {
+      const double errorU = error(), errorV = error();
+      board.uv[i] += Eigen::Vector2d{errorU, errorV};
+      if (corners_.bernoulli(plan_.grossShare)) {
+        board.uv[i] += corners_.randomDirection(plan_.grossSize);
+        gross.push_back({capture, board.board, board.ids[i]});
+      }
+    }
+  }
+
+  const Tracker& trackerOf(const std::string& id) const {
+    const auto& trackers = scene_.set.instruments.trackers;
+    return *std::find_if(trackers.begin(), trackers.end(), [&](const Tracker& tracker) { return tracker.id == id; });
+  }
+  double sigmaOf(const std::string& tracker) const { return trackerOf(tracker).sigma.value_or(scene_.noise.tracker); }
+  Eigen::Vector3d drawThree(double sigma) {
+    const double x = trackers_.normal(sigma), y = trackers_.normal(sigma), z = trackers_.normal(sigma);
+    return {x, y, z};
+  }
+
+  const RobotScene& scene_;
+  const ScenePlan& plan_;
+  RandomStream encoders_, corners_, trackers_;
+};
+
+/// resultFromWorld: a result's world is the simulator's, but the frame of the first floor board that was seen if the
+/// robot stands on a sole and the set places no floor board.
+RigidTransform resultWorld(const RobotScene& scene, const TrueRobot& robot, const std::vector<Capture>& captures) {
+  const std::vector<Board>& boards = robot.set().boards;
+  for (std::size_t i = 0; robot.isOnSole() && i < boards.size(); ++i) {
+    const bool isSeen = std::any_of(captures.begin(), captures.end(), [&](const Capture& capture) {
+      return capture.corners && std::any_of(capture.corners->begin(), capture.corners->end(),
+                                            [&](const BoardCorners& seen) { return seen.board == boards[i].id; });
+    });
+    if (boards[i].link == "floor" && scene.set.boards[i].placement) {
+      return {};
+    }
+    if (boards[i].link == "floor" && isSeen) {
+      return placedBy(*boards[i].placement).inverse();
+    }
+  }
+  return {};
+}
+
+TrueScene listTrueScene(const CaptureSet& placed, const RigidTransform& resultFromWorld) {
+  TrueScene scene;
+  const auto inResult = [&](const Placement& placement) { return placementBy(resultFromWorld * placedBy(placement)); };
+  for (const Board& board : placed.boards) {
+    const bool isInWorld = board.link == "floor" || board.link == "world";
+    scene.placements["boards"][board.id] = isInWorld ? inResult(*board.placement) : *board.placement;
+  }
+  for (const auto& [name, mounting] : placed.mountings) {
+    if (mounting.link == "world") {
+      scene.placements["cameras"][name] = inResult(*mounting.placement);
+    }
+  }
+  for (const Tracker& tracker : placed.instruments.trackers) {
+    scene.placements["trackers"][tracker.id] = inResult(*tracker.placement);
+  }
+  for (const TrackedFrame& frame : placed.instruments.frames) {
+    scene.placements["frames"][frame.id] = *frame.placement;
+  }
+  for (const TrackedMarker& marker : placed.instruments.markers) {
+    scene.markers[marker.id] = *marker.point;
+  }
+  const Stance& stance = placed.stances.front();
+  scene.placements["stances"][std::to_string(stance.id)] = inResult(stance.placement.value_or(Placement{}));
+  return scene;
+}
+
+std::map<std::string, TrueUnknown> listNoise(const RobotScene& scene, const ScenePlan& plan) {
+  std::map<std::string, TrueUnknown> levels;
+  const auto add = [&](const std::string& name, double value, const std::string& unit) {
+    levels[name] = {name, value, unit};
+  };
+  add("encoder", scene.noise.encoder, "rad");
+  add("pose", scene.noise.pose, "rad");
+  if (!scene.set.cameras.empty()) {
+    add("pixel", scene.noise.pixel, "px");
+    add("grossShare", plan.grossShare, "1");
+  }
+  for (const Tracker& tracker : scene.set.instruments.trackers) {
+    add(tracker.id, tracker.sigma.value_or(scene.noise.tracker), "m");
+    if (!scene.set.instruments.frames.empty()) {
+      add(tracker.id + " rotation", tracker.sigmaRotation.value_or(scene.noise.trackerRotation), "rad");
+    }
+  }
+  return levels;
+}
+
+/// Takes the poses and reads all instruments in them.
+std::vector<Capture> takeCaptures(TrueRobot& robot, const RobotScene& scene, const ScenePlan& plan,
+                                  std::vector<GrossCorner>& gross) {
+  RandomStream motion{plan.seed, "deflections"};
+  ReadingSpoiler spoiler{scene, plan};
+  const Eigen::Index joints = eigenIndex(robot.robot().joints.size());
+  Eigen::VectorXd last = Eigen::VectorXd::Zero(joints);
+  std::vector<Capture> captures;
+  std::size_t taken = 0;
+  for (std::size_t tries = 0; taken < plan.poses; ++tries) {
+    if (tries == mostTries * plan.poses) {
+      throw InputError{fmt::format(
+          "only {} of {} poses were found in {} draws in which {}; place things nearer, or give "
+          "`ranges` of joints in the scene",
+          taken, plan.poses, tries,
+          scene.set.cameras.empty() ? "a tracker sees a marker or frame" : "a camera sees eight corners of a board")};
+    }
+    const auto angles = robot.poses().draw();
+    if (!angles) {
+      continue;
+    }
+    Eigen::VectorXd deflection(joints);
+    for (double& one : deflection) {
+      one = motion.normal(scene.noise.pose);
+    }
+    const Eigen::VectorXd recorded = robot.recordedAt(*angles), approach = (recorded - last).cwiseSign();
+    const Seconds time{10.0 * static_cast<double>(taken)};
+    TrueRobot::Sight sight = robot.look({recorded, approach, time, deflection});
+    if (!sight.isEnough) {
+      continue;
+    }
+    for (int sample = 0; sample < plan.samples; ++sample) {
+      const JointReadings readings = spoiler.readJoints(robot.robot(), recorded, approach);
+      for (Capture capture : sight.captures) {
+        if (capture.camera.empty() && capture.points.empty() && capture.frames.empty()) {
+          continue;
+        }
+        capture.id = static_cast<int>(captures.size());
+        capture.pose = fmt::format("P{:02}", taken);
+        capture.repeat = sample;
+        capture.time = time + Seconds{0.4 * sample};
+        capture.joints = readings;
+        spoiler.spoil(capture, gross);
+        captures.push_back(std::move(capture));
+      }
+    }
+    last = recorded;
+    ++taken;
+  }
+  return captures;
+}
+
+} // namespace
+
+SceneSimulation simulateScene(const RobotScene& scene, const ScenePlan& plan) {
+  TrueRobot robot{scene, plan};
+  SceneSimulation result{.set = scene.set, .truth = {}};
+  result.set.bodyId = fmt::format("{}{}", syntheticIdPrefix, plan.robotSeed.value_or(plan.seed));
+  result.set.headId = scene.set.urdf.empty() ? result.set.bodyId : "";
+  result.set.captures = takeCaptures(robot, scene, plan, result.truth.grossCorners);
+  result.truth.seed = plan.seed;
+  result.truth.effects = robot.listEffects();
+  result.truth.noise = listNoise(scene, plan);
+  result.truth.scene = listTrueScene(robot.set(), resultWorld(scene, robot, result.set.captures));
+  const Robot& drawn = robot.robot();
+  result.links = drawn.links.size();
+  for (std::size_t link = 0; link < drawn.links.size(); ++link) {
+    result.shapedLinks += std::any_of(drawn.collisionCapsules.begin(), drawn.collisionCapsules.end(),
+                                      [&](const Capsule& capsule) { return capsule.link == link; })
+                              ? 1
+                              : 0;
+  }
+  return result;
+}
+
+} // namespace naocal

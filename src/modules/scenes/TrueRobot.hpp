@@ -1,0 +1,79 @@
+#pragma once
+
+#include "estimation/ModelBuilder.hpp"
+#include "scenes/ScenePoses.hpp"
+#include "scenes/SceneSimulation.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace naocal {
+
+/// Flaws of the set-up rather than of the robot, up to the joint's name.
+inline constexpr std::string_view reversedFlaw = "reversedJoint@", slippedFlaw = "countSlip@";
+
+inline constexpr std::size_t mostTries = 4000; // poses drawn per pose wanted
+
+/// A robot with true unknowns among things that truly stand somewhere; predicts what is read in a pose.
+class TrueRobot {
+public:
+  /// Keeps references to both. Throws InputError for flaws that this robot in this scene cannot have.
+  TrueRobot(const RobotScene& scene, const ScenePlan& plan);
+  TrueRobot(RobotScene&&, const ScenePlan&) = delete;
+  TrueRobot(const RobotScene&, ScenePlan&&) = delete;
+
+  /// A pose as it is read.
+  struct Pose {
+    Eigen::VectorXd recorded; // encoder angles without noise, one per joint [rad]
+    Eigen::VectorXd approach; // -1, 0, +1
+    Seconds time{0};
+    Eigen::VectorXd deflection; // behind the encoders [rad]
+  };
+
+  /// What is read in a pose.
+  struct Sight {
+    std::vector<Capture> captures; // with true readings; no joints
+    bool isEnough = false;         // eight corners of a board, or without cameras a marker or frame
+  };
+  Sight look(const Pose& pose);
+
+  /// What the encoders would read where the true joints are so, but for effects other than offsets [rad].
+  Eigen::VectorXd recordedAt(const Eigen::VectorXd& angles) const;
+
+  /// The true unknowns, and flaws of the set-up.
+  std::vector<TrueEffect> listEffects() const;
+
+  /// The scene's set with everything placed where it truly is.
+  const CaptureSet& set() const { return set_; }
+  const Robot& robot() const { return robot_; }
+  ScenePoses& poses() { return poses_; }
+  bool isOnSole() const;
+
+private:
+  void measureProbes();
+  std::string nameOfRobot() const;
+  void requireSetUp(const std::string& flaw) const;
+  double largestLoad(std::size_t joint, std::size_t about) const;
+  double plausibleSize(const Term& term, std::size_t unknown) const;
+  void drawUnknowns();
+  void drawFlaws();
+  std::vector<BoardCorners> seeCorners(const ImageObservation& picture, const ModelState& state,
+                                       const LinkPoses& torsoFromLink) const;
+  bool isInSight(const Eigen::Vector3d& trackerInTorso, const Eigen::Vector3d& pointInTorso,
+                 const LinkPoses& torsoFromLink) const;
+  void track(const ImageObservation& picture, const ModelState& state, const LinkPoses& torsoFromLink,
+             Capture& capture) const;
+
+  const ScenePlan& plan_;
+  CaptureSet set_;
+  Robot robot_;
+  ScenePoses poses_;
+  std::vector<Capture> readings_;      // all that could be read in a pose, as zeros
+  Measurements measurements_;          // of a few poses
+  std::vector<std::size_t> templates_; // pictures that predict the readings, in their order
+  Model model_;
+  Eigen::VectorXd unknowns_;
+};
+
+} // namespace naocal
