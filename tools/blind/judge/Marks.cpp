@@ -153,6 +153,27 @@ void markEvent(const Truth::Event& event, const Answer& answer, Marks& result) {
   result.eventTimed = timed;
 }
 
+/// What moved beside a machine is named by its id, and when by the first capture after it.
+void markMoved(const Truth::Event& event, const Answer& answer, Marks& result) {
+  const auto named = [&](const Answer::Suspicion& suspicion) { return suspicion.moved == event.at; };
+  result.eventNamed = std::any_of(answer.suspicious.begin(), answer.suspicious.end(), named);
+  result.eventTimed =
+      std::any_of(answer.suspicious.begin(), answer.suspicious.end(),
+                  [&](const Answer::Suspicion& suspicion) { return named(suspicion) && suspicion.from == event.from; });
+}
+
+/// A wrong set-up stands first; a bad reading is one, and nothing else is said to be missing.
+void markCulprit(const Truth& truth, const Answer& answer, Marks& result) {
+  if (!truth.setUp.empty()) {
+    result.culpritNamed = !answer.suspicious.empty() && answer.suspicious.front().setUp == truth.setUp;
+  } else if (truth.badCapture) {
+    const bool named =
+        std::any_of(answer.suspicious.begin(), answer.suspicious.end(),
+                    [&](const Answer::Suspicion& suspicion) { return suspicion.capture == truth.badCapture; });
+    result.culpritNamed = named && answer.suggested.empty();
+  }
+}
+
 /// A slipping joint may also be reported as an event with a time.
 bool tellsStep(const Truth::Effect& effect, const Answer& answer) {
   const std::size_t at = effect.name.find('@');
@@ -198,6 +219,7 @@ Marks markAnswer(const Case& one) {
   result.alarmed =
       answer.verdict == "effect-missing" || answer.verdict == "unknown-effect" || answer.verdict == "bad-captures";
   result.unknownSaid = answer.verdict == "unknown-effect";
+  result.misfitSaid = answer.verdict == "inconclusive";
   markOffsets(truth, answer.first, result.wronglyUsable, result.offsetsInside);
   markOffsets(truth, answer.suggestedAdded, result.wronglyUsableAfter, result.offsetsInsideAfter);
   if (answer.first && answer.fixedNoisePx) {
@@ -223,6 +245,10 @@ Marks markAnswer(const Case& one) {
     result.saidUntestable = candidate != nullptr && (candidate->state == "absorbed" || candidate->state == "no-data");
   } else if (truth.group == "corrupted") {
     result.saidCorrupted = answer.verdict == "bad-captures";
+  } else if (truth.machine && truth.event) {
+    markMoved(*truth.event, answer, result);
+  } else if (truth.group == "setup" || truth.group == "reading") {
+    markCulprit(truth, answer, result);
   } else if (truth.group == "event" && truth.event) {
     markEvent(*truth.event, answer, result);
   } else if (truth.group == "jitter") {
