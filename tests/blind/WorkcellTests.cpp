@@ -45,9 +45,9 @@ void redrawJoints(const Workcell& cell, const WorkcellPlan& plan, WorkcellSessio
 } // namespace
 
 TEST_CASE("the noncentrality of a machine's flaw is the variance of the score, by drawing noise") {
-  // Proves derivatives, noise model and sizing together, for a camera, a tracker and repeated approaches, by Monte
+  // Proves derivatives, noise model and sizing together, for cameras, a tracker and repeated approaches, by Monte
   // Carlo: without the flaw the score d^T M Sigma^-1 r has mean 0 and variance lambda.
-  for (const Witness witness : {Witness::cameraBeside, Witness::trackedPoints}) {
+  for (const Witness witness : {Witness::cameraBeside, Witness::trackedPoints, Witness::footAndHead}) {
     RandomStream chance{static_cast<std::uint64_t>(witness), "lambda of machines"};
     WorkcellQuestion question;
     do {
@@ -86,7 +86,7 @@ TEST_CASE("the noncentrality of a machine's flaw is the variance of the score, b
 
 TEST_CASE("cameras of machines see most of their board at every pose") {
   // Proves that sessions are realistic: at least 12 of 35 points in each picture, and most points in most.
-  for (const Witness witness : {Witness::wristCamera, Witness::cameraBeside}) {
+  for (const Witness witness : {Witness::wristCamera, Witness::cameraBeside, Witness::footAndHead}) {
     RandomStream chance{5, "sessions of machines"};
     const WorkcellQuestion question = drawWorkcellQuestion({"control", "", 0, witness, 20}, chance);
     for (const WorkcellReading& reading : question.session) {
@@ -120,7 +120,7 @@ TEST_CASE("a design of machines asks for every effect at four sizes and every ki
   }
   const int families = static_cast<int>(machineCatalogue().size());
   CHECK(families >= 10);
-  CHECK(groups["control"] == 3 * 5);
+  CHECK(groups["control"] == 3 * 6);
   CHECK(groups["catalogue"] == 2 * 4 * families);
   CHECK(sizes[40] == 2 * families);
   CHECK(groups["setup"] > 0);

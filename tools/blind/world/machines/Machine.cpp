@@ -37,20 +37,24 @@ std::string jointText(const Machine& machine, const Machine::Joint& joint) {
                      listed(joint.xyz), listed(joint.rpy), listed(joint.axis), joint.lower, joint.upper);
 }
 
-std::string linkText(const Machine::Joint& joint) {
-  const double inertia = 0.01 * joint.kilograms; // [kg m^2]; no effect at rest
+std::string linkText(const std::string& name, double kilograms, const Vector3d& centre) {
+  if (kilograms == 0) {
+    return fmt::format("  <link name=\"{}\"/>\n", name);
+  }
+  const double inertia = 0.01 * kilograms; // [kg m^2]; no effect at rest
   return fmt::format("  <link name=\"{0}\"><inertial><origin xyz=\"{1}\"/><mass value=\"{2:.17g}\"/>"
                      "<inertia ixx=\"{3:.6g}\" ixy=\"0\" ixz=\"0\" iyy=\"{3:.6g}\" iyz=\"0\" izz=\"{3:.6g}\"/>"
                      "</inertial></link>\n",
-                     joint.link, listed(joint.centre), joint.kilograms, inertia);
+                     name, listed(centre), kilograms, inertia);
 }
 
 } // namespace
 
 std::string urdfText(const Machine& machine) {
-  std::string text = fmt::format("<robot name=\"{}\">\n  <link name=\"base\"/>\n", machine.name);
+  std::string text =
+      fmt::format("<robot name=\"{}\">\n", machine.name) + linkText("base", machine.baseKilograms, machine.baseCentre);
   for (const Machine::Joint& joint : machine.joints) {
-    text += linkText(joint) + jointText(machine, joint);
+    text += linkText(joint.link, joint.kilograms, joint.centre) + jointText(machine, joint);
   }
   for (const Machine::Attached& fixed : machine.attached) {
     text +=
@@ -81,8 +85,13 @@ std::array<Vector3d, 2> normalsOf(const Vector3d& axis) {
   return {first, axis.cross(first)};
 }
 
-MachineBody::MachineBody(const Machine& machine, const MachineFlaws& flaws)
-    : machine_{machine}, flaws_{flaws}, beyond_(machine.joints.size()) {
+MachineBody::MachineBody(const Machine& machine, const MachineFlaws& flaws, const Transform& worldFromSole)
+    : machine_{machine}, flaws_{flaws}, worldFromSole_{worldFromSole}, standing_(machine.joints.size(), false),
+      beyond_(machine.joints.size()) {
+  for (int joint = machine.sole ? static_cast<int>(machine.sole->joint) : -1; joint >= 0;
+       joint = machine.joints[joint].parent) {
+    standing_[static_cast<std::size_t>(joint)] = true;
+  }
   for (std::size_t i = 0; i < machine.joints.size(); ++i) {
     const Machine::Joint& joint = machine.joints[i];
     const MachineFlaws::Link& link = flaws.links[i];
@@ -116,24 +125,44 @@ MachineBody::Posture MachineBody::posture(const VectorXd& angles, const Loads& l
     result.links.push_back(hinge * motion);
     result.hinges.push_back(std::move(hinge));
   }
+  if (machine_.sole) {
+    const Transform footFromSole = originTransform(machine_.sole->xyz, machine_.sole->rpy);
+    result.base = worldFromSole_ * (result.links[machine_.sole->joint] * footFromSole).inverse();
+    for (std::size_t i = 0; i < result.links.size(); ++i) {
+      result.hinges[i] = result.base * result.hinges[i];
+      result.links[i] = result.base * result.links[i];
+    }
+  }
   return result;
 }
 
-std::pair<Vector3d, Vector3d> MachineBody::weightBeyond(const Posture& posture, std::size_t joint) const {
+std::pair<Vector3d, Vector3d> MachineBody::loadOn(const Posture& posture, std::size_t joint) const {
   Vector3d force = Vector3d::Zero(), moment = Vector3d::Zero();
-  for (const std::size_t other : beyond_[joint]) {
-    const Vector3d weight = -machine_.joints[other].kilograms * gravity * Vector3d::UnitZ();
-    const Vector3d arm = posture.links[other] * machine_.joints[other].centre - posture.hinges[joint].shift;
+  const auto add = [&](double kilograms, const Vector3d& centre) {
+    const Vector3d weight = -kilograms * gravity * Vector3d::UnitZ();
     force += weight;
-    moment += arm.cross(weight);
+    moment += (centre - posture.hinges[joint].shift).cross(weight);
+  };
+  std::vector<bool> isBeyond(posture.links.size(), false);
+  for (const std::size_t other : beyond_[joint]) {
+    isBeyond[other] = true;
   }
-  return {force, moment};
+  for (std::size_t other = 0; other < posture.links.size(); ++other) {
+    if (isBeyond[other] != standing_[joint]) {
+      add(machine_.joints[other].kilograms, posture.links[other] * machine_.joints[other].centre);
+    }
+  }
+  if (!standing_[joint]) {
+    return {force, moment};
+  }
+  add(machine_.baseKilograms, posture.base * machine_.baseCentre);
+  return {-force, -moment}; // what it carries turns the other way
 }
 
 VectorXd MachineBody::torques(const Posture& posture) const {
   VectorXd result{static_cast<Index>(machine_.joints.size())};
   for (std::size_t i = 0; i < machine_.joints.size(); ++i) {
-    const auto [force, moment] = weightBeyond(posture, i);
+    const auto [force, moment] = loadOn(posture, i);
     const Vector3d axis = posture.hinges[i].turn * axes_[i];
     result[static_cast<Index>(i)] = axis.dot(machine_.joints[i].slides ? force : moment);
   }
@@ -149,7 +178,7 @@ MachineBody::Posture MachineBody::settled(const VectorXd& angles) const {
     Loads loads;
     for (std::size_t i = 0; i < machine_.joints.size(); ++i) {
       sagged[static_cast<Index>(i)] += flaws_.joints[i].compliance * torque[static_cast<Index>(i)];
-      loads.push_back(result.hinges[i].turn.transpose() * weightBeyond(result, i).second);
+      loads.push_back(result.hinges[i].turn.transpose() * loadOn(result, i).second);
     }
     result = posture(sagged, loads);
   }
@@ -159,7 +188,7 @@ MachineBody::Posture MachineBody::settled(const VectorXd& angles) const {
 Transform MachineBody::worldFromAttached(const Posture& posture, std::size_t which) const {
   const Machine::Attached& fixed = machine_.attached[which];
   const Transform origin = originTransform(fixed.xyz, fixed.rpy);
-  return fixed.joint < 0 ? origin : posture.links[static_cast<std::size_t>(fixed.joint)] * origin;
+  return fixed.joint < 0 ? posture.base * origin : posture.links[static_cast<std::size_t>(fixed.joint)] * origin;
 }
 
 } // namespace blind

@@ -69,12 +69,53 @@ Vector3d rounded(const Vector3d& vector) {
   return (vector * digits).array().round() / digits;
 }
 
+/// From the torso down the leg, then the head.
+std::vector<Axis> leggedAxes(double thigh, double aside, double neck) {
+  const Vector3d hip{0, aside, -0.1}, knee = hip - thigh * unitZ, ankle = knee - 0.95 * thigh * unitZ;
+  return {{unitZ, hip, 0.5, 0.6},
+          {unitX, hip, 0.4, 0.4},
+          {unitY, hip, 2, 0.8},
+          {unitY, knee, 1.5, 0.9},
+          {unitY, ankle, 0.3, 0.7},
+          {unitX, ankle, 0.7, 0.4},
+          {unitZ, neck * unitZ, 0.3, 1.5},
+          {unitY, (neck + 0.05) * unitZ, 0.8, 1}};
+}
+
+/// The joint that moves the link carrying a machine's joint.
+int parentOf(MachineBuild build, std::size_t joint) {
+  constexpr std::size_t neck = 6;
+  return build == MachineBuild::legged && joint == neck ? -1 : static_cast<int>(joint) - 1;
+}
+
+/// A link on a joint, at a place in the frame of the stretched machine's base.
+Machine::Attached attach(const std::string& link, int joint, const Transform& baseFromJoint, const Transform& place) {
+  const Transform mount = baseFromJoint.inverse() * place;
+  return {link, joint, rounded(mount.shift), rounded(rollPitchYaw(mount.turn))};
+}
+
+/// Gives a legged machine its torso's mass and sole, and its head's camera.
+void completeLegged(Machine& machine, const std::vector<Transform>& frames, double neck) {
+  constexpr std::size_t ankle = 5, head = 7;
+  constexpr double soleBelow = 0.04; // [m]
+  machine.baseKilograms = 6;
+  machine.baseCentre = {0.01, 0, 0.1};
+  const Transform sole{Eigen::Matrix3d::Identity(), frames[ankle].shift - soleBelow * unitZ};
+  const Machine::Attached foot = attach("sole", ankle, frames[ankle], sole);
+  machine.sole = Machine::Sole{ankle, foot.xyz, foot.rpy};
+  Eigen::Matrix3d forward; // right, down and forward in the base's axes
+  forward << 0, 0, 1, -1, 0, 0, 0, -1, 0;
+  const Transform camera{rotationAbout(unitY, 0.4) * forward, Vector3d{0.06, 0, neck + 0.1}};
+  machine.attached.push_back(attach("hand", head, frames[head], camera));
+}
+
 } // namespace
 
 Machine drawMachine(MachineBuild build, RandomStream& chance) {
-  const double reach = chance.between(0.6, 1.1);
+  const double reach = chance.between(0.6, 1.1), neck = 0.3 * reach;
   std::vector<Axis> axes = build == MachineBuild::offset    ? offsetAxes(reach, chance)
                            : build == MachineBuild::slender ? slenderAxes(reach, chance)
+                           : build == MachineBuild::legged  ? leggedAxes(0.2 * reach, 0.06 * reach, neck)
                                                             : elbowAxes(reach, chance);
   if (build == MachineBuild::railed) {
     axes.insert(axes.begin(), {unitY, Vector3d{0, 0, 0.05}, 15, 0.5 * reach, true});
@@ -82,15 +123,16 @@ Machine drawMachine(MachineBuild build, RandomStream& chance) {
   const int manner = chance.below(3);
   Machine machine;
   machine.name = "machine";
-  Transform parent; // baseFromJoint of the joint before
+  std::vector<Transform> frames; // baseFromJoint
   for (std::size_t i = 0; i < axes.size(); ++i) {
     const Axis& axis = axes[i];
-    Transform frame{drawFrame(manner, chance), axis.point};
-    const Transform step = parent.inverse() * frame;
+    const Transform frame{drawFrame(manner, chance), axis.point};
+    const int parent = parentOf(build, i);
+    const Transform step = parent < 0 ? frame : frames[static_cast<std::size_t>(parent)].inverse() * frame;
     Machine::Joint joint;
     joint.name = fmt::format("joint{}", i + 1);
     joint.link = fmt::format("link{}", i + 1);
-    joint.parent = static_cast<int>(i) - 1;
+    joint.parent = parent;
     joint.xyz = rounded(step.shift);
     joint.rpy = rounded(rollPitchYaw(step.turn));
     joint.axis = rounded(frame.turn.transpose() * axis.direction);
@@ -98,17 +140,20 @@ Machine drawMachine(MachineBuild build, RandomStream& chance) {
     joint.upper = axis.range * chance.between(0.85, 1);
     joint.lower = -joint.upper;
     joint.kilograms = axis.kilograms * chance.between(0.7, 1.3);
-    const Vector3d next = i + 1 < axes.size() ? axes[i + 1].point : axis.point + 0.05 * axis.direction;
+    const bool last = i + 1 == axes.size() || parentOf(build, i + 1) != static_cast<int>(i);
+    const Vector3d next = last ? axis.point + 0.05 * axis.direction : axes[i + 1].point;
     const Vector3d aside{chance.uniformWithin(0.02), chance.uniformWithin(0.02), chance.uniformWithin(0.02)};
     joint.centre = rounded(frame.turn.transpose() * (chance.between(0.3, 0.6) * (next - axis.point) + aside));
     machine.joints.push_back(std::move(joint));
-    parent = frame;
+    frames.push_back(frame);
+  }
+  if (build == MachineBuild::legged) {
+    completeLegged(machine, frames, neck);
+    return machine;
   }
   const Transform hand{drawFrame(manner, chance),
                        axes.back().point + chance.between(0.04, 0.09) * axes.back().direction};
-  const Transform mount = parent.inverse() * hand;
-  machine.attached.push_back(
-      {"hand", static_cast<int>(axes.size()) - 1, rounded(mount.shift), rounded(rollPitchYaw(mount.turn))});
+  machine.attached.push_back(attach("hand", static_cast<int>(axes.size()) - 1, frames.back(), hand));
   return machine;
 }
 

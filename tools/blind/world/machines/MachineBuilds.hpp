@@ -9,7 +9,8 @@ enum class MachineBuild {
   elbow,   // six axes, three of them crossing in the wrist
   offset,  // six axes, three of them parallel, none crossing in one point
   slender, // seven axes
-  railed   // elbow on a linear rail
+  railed,  // elbow on a linear rail
+  legged   // a torso on one leg of six axes, with a head of two
 };
 
 /// A machine of that build with numbers of its own: lengths, masses, limits and frames, which lie anyhow on their

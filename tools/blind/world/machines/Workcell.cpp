@@ -39,6 +39,18 @@ Vector3d rotationVector(const Eigen::Matrix3d& from, const Eigen::Matrix3d& to) 
   return turn.angle() * turn.axis();
 }
 
+bool carriesCamera(Witness witness) {
+  return witness == Witness::wristCamera || witness == Witness::footAndHead;
+}
+
+bool seesBoard(Witness witness) {
+  return carriesCamera(witness) || witness == Witness::cameraBeside;
+}
+
+MachineBody bodyOf(const Workcell& cell) {
+  return {*cell.machine, cell.flaws, cell.worldFromSole};
+}
+
 VectorXd linkAngles(const Workcell& cell, const WorkcellReading& reading) {
   const VectorXd read = reading.measured + reading.unread - cell.offsets;
   VectorXd links = read;
@@ -55,7 +67,7 @@ VectorXd linkAngles(const Workcell& cell, const WorkcellReading& reading) {
     loose = loose || joint.gap != 0;
   }
   if (loose) {
-    const MachineBody body{*cell.machine, cell.flaws};
+    const MachineBody body = bodyOf(cell);
     const VectorXd load = body.torques(body.settled(links));
     for (Index i = 0; i < links.size(); ++i) {
       const JointFlaws& flaws = cell.flaws.joints[static_cast<std::size_t>(i)];
@@ -98,8 +110,7 @@ VectorXd measure(const Workcell& cell, const MachineBody& body, const WorkcellRe
     return result;
   }
   const Transform tool = hand * cell.handFromTool;
-  const Transform cameraFromBoard =
-      cell.witness == Witness::wristCamera ? tool.inverse() * stand : stand.inverse() * tool;
+  const Transform cameraFromBoard = carriesCamera(cell.witness) ? tool.inverse() * stand : stand.inverse() * tool;
   return pixels(cell, cameraFromBoard, reading.seen);
 }
 

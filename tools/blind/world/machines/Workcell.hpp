@@ -13,6 +13,7 @@ enum class Witness {
   cameraBeside,  // a camera in the world sees a board on the hand
   trackedPoints, // a tracker measures markers on the hand
   trackedFrame,  // a tracker measures the pose of the hand
+  footAndHead,   // a camera on the head sees a board on the floor, on which the machine stands on one foot
   touch          // a ball on the hand touches places with known distances
 };
 
@@ -24,6 +25,7 @@ struct Workcell {
   MachineFlaws flaws;
   Transform handFromTool;   // of the camera (x right, y down, z forward), the board or the tracked frame on the hand
   Transform worldFromStand; // of the board, the camera or the tracker in the world
+  Transform worldFromSole;  // of a machine that stands on a foot
   std::vector<Eigen::Vector3d> points;        // of the board; markers or the ball on the hand, in its frame [m]
   std::vector<Eigen::Vector3d> places;        // in the world [m]
   std::vector<std::pair<int, int>> distances; // between these places
@@ -34,6 +36,10 @@ struct Workcell {
   std::optional<Move> moved;
 };
 
+/// Whether it is measured by a camera; whether that is carried.
+bool seesBoard(Witness witness);
+bool carriesCamera(Witness witness);
+
 /// A reading and what was measured at it.
 struct WorkcellReading : Reading {
   std::vector<int> seen;                               // points of the board; the place touched
@@ -41,6 +47,10 @@ struct WorkcellReading : Reading {
 };
 
 using WorkcellSession = std::vector<WorkcellReading>; // in order of time
+
+/// Its body, which keeps references to the cell.
+MachineBody bodyOf(const Workcell& cell);
+MachineBody bodyOf(Workcell&&) = delete;
 
 /// Angles of the links before springs give way.
 Eigen::VectorXd linkAngles(const Workcell& cell, const WorkcellReading& reading);

@@ -54,8 +54,8 @@ double reachOf(const Machine& machine) {
 class Stager {
 public:
   Stager(const Workcell& cell, RandomStream& chance)
-      : cell_{cell}, chance_{chance}, sound_{cell.machine->joints.size()}, body_{*cell.machine, sound_},
-        reach_{reachOf(*cell.machine)} {}
+      : cell_{cell}, chance_{chance}, sound_{cell.machine->joints.size()},
+        body_{*cell.machine, sound_, cell.worldFromSole}, reach_{reachOf(*cell.machine)} {}
   Stager(const Stager&) = delete;
 
   /// True angles of a pose, and what is seen there.
@@ -74,6 +74,9 @@ private:
 };
 
 bool Stager::aboveFloor(const MachineBody::Posture& posture) const {
+  if (cell_.machine->sole) {
+    return true;
+  }
   for (std::size_t i = 2; i < posture.links.size(); ++i) {
     if (posture.links[i].shift.z() < 0.05) {
       return false;
@@ -113,12 +116,19 @@ std::optional<VectorXd> Stager::drawGoal(std::vector<int>& seen) {
   if (cell_.witness == Witness::trackedPoints || cell_.witness == Witness::trackedFrame) {
     return start;
   }
+  if (cell_.witness == Witness::footAndHead) { // the head looks at a place on the board
+    const Vector3d place = cell_.worldFromStand * Vector3d{chance_.uniformWithin(0.1), chance_.uniformWithin(0.1), 0};
+    return reach(*cell_.machine, body_, 0.6 * start, [&](const MachineBody::Posture& posture) {
+      const Vector3d inCamera = (body_.worldFromAttached(posture, 0) * cell_.handFromTool).inverse() * place;
+      return VectorXd{inCamera.head<2>() / std::abs(inCamera.z())};
+    });
+  }
   // the camera looks at a place near the board's middle, from within a cone about its normal
   constexpr double nearest = 0.35, farthest = 0.9, cone = 0.7, aside = 0.07; // [m, rad]
   const Vector3d from = chance_.between(nearest, farthest) * withinCone(cone, chance_);
   const Vector3d target{chance_.uniformWithin(aside), chance_.uniformWithin(aside), 0};
   const Transform boardFromCamera{lookingAlong((target - from).normalized(), chance_), from};
-  const bool wrist = cell_.witness == Witness::wristCamera;
+  const bool wrist = carriesCamera(cell_.witness);
   const Transform worldFromTool = cell_.worldFromStand * (wrist ? boardFromCamera : boardFromCamera.inverse());
   const Transform worldFromHand = worldFromTool * cell_.handFromTool.inverse();
   return reach(*cell_.machine, body_, start, [&](const MachineBody::Posture& posture) {
@@ -138,7 +148,7 @@ std::pair<VectorXd, std::vector<int>> Stager::drawPose() {
     if (!angles || !aboveFloor(body_.settled(*angles))) {
       continue;
     }
-    if (cell_.witness == Witness::wristCamera || cell_.witness == Witness::cameraBeside) {
+    if (seesBoard(cell_.witness)) {
       seen = pointsInView(*angles);
       if (seen.size() < fewest) {
         continue;
@@ -195,12 +205,14 @@ WorkcellPlan drawWorkcellPlan(Witness witness, int poses, RandomStream& chance) 
   case Witness::trackedFrame:
     plan.build = sixAxes ? MachineBuild::offset : MachineBuild::railed;
     break;
+  case Witness::footAndHead:
+    plan.build = MachineBuild::legged;
+    break;
   case Witness::touch:
     plan.build = sixAxes ? MachineBuild::elbow : MachineBuild::slender;
     break;
   }
-  const bool camera = witness == Witness::wristCamera || witness == Witness::cameraBeside;
-  plan.sigma = camera
+  plan.sigma = seesBoard(witness)
                    ? chance.between(0.1, 0.3)
                    : std::pow(10.0, witness == Witness::touch ? chance.between(-4.7, -4) : chance.between(-4.3, -3.3));
   plan.sigmaRotation = plan.sigma / 0.2;
@@ -256,6 +268,12 @@ Workcell drawWorkcell(const Machine& machine, const WorkcellPlan& plan, RandomSt
     cell.handFromTool = {lookingAlong(withinCone(3, chance), chance), drawVector(0.08, chance)};
     cell.worldFromStand = {lookingAlong(withinCone(3, chance), chance),
                            3 * ahead + drawVector(0.5, chance) + Vector3d{0, 0, 1}};
+    break;
+  case Witness::footAndHead:
+    cell.points = boardPoints(chance.between(0.05, 0.07));
+    cell.handFromTool.turn = originTransform(Vector3d::Zero(), drawVector(2 * radiansPerDegree, chance)).turn;
+    cell.worldFromSole = floorTransform(-chance.between(0.3, 0.5) * reach, chance.uniformWithin(0.1),
+                                        chance.uniformWithin(0.3)); // the board is the world
     break;
   case Witness::touch:
     cell.points.push_back(drawVector(0.03, chance) + Vector3d{0, 0, 0.08});
@@ -313,7 +331,7 @@ WorkcellSession stageWorkcell(const Workcell& cell, const WorkcellPlan& plan, Ra
       session.push_back(std::move(reading));
     }
   }
-  const MachineBody body{*cell.machine, cell.flaws};
+  const MachineBody body = bodyOf(cell);
   for (WorkcellReading& reading : session) {
     reading.about = standFromHand(cell, body, reading, linkAngles(cell, reading)).turn;
   }
@@ -321,7 +339,7 @@ WorkcellSession stageWorkcell(const Workcell& cell, const WorkcellPlan& plan, Ra
 }
 
 void touchPlaces(const Workcell& cell, const WorkcellPlan& plan, WorkcellSession& session, RandomStream& chance) {
-  const MachineBody body{*cell.machine, cell.flaws};
+  const MachineBody body = bodyOf(cell);
   constexpr double nudge = 1e-6; // [rad]
   for (WorkcellReading& reading : session) {
     const Vector3d noise{chance.normal(plan.sigma), chance.normal(plan.sigma), chance.normal(plan.sigma)};

@@ -18,8 +18,8 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr std::array<Witness, 5> witnesses{Witness::wristCamera, Witness::cameraBeside, Witness::trackedPoints,
-                                           Witness::trackedFrame, Witness::touch};
+constexpr std::array<Witness, 6> witnesses{Witness::wristCamera,  Witness::cameraBeside, Witness::trackedPoints,
+                                           Witness::trackedFrame, Witness::touch,        Witness::footAndHead};
 
 class WorkcellDesigner {
 public:
@@ -116,8 +116,11 @@ bool hideFlaw(const WorkcellItem& item, double patience, WorkcellQuestion& quest
 }
 
 Transform drawDisplacement(Witness witness, RandomStream& chance) {
-  const double least = witness == Witness::wristCamera || witness == Witness::cameraBeside ? 0.003 : 0.002;
+  const double least = seesBoard(witness) ? 0.003 : 0.002;
   const double angle = chance.uniformWithin(std::numbers::pi), distance = chance.between(least, 0.02);
+  if (witness == Witness::footAndHead) {
+    return floorTransform(distance * std::cos(angle), distance * std::sin(angle), chance.uniformWithin(0.02));
+  }
   const Vector3d axis{chance.normal(1), chance.normal(1), chance.normal(1)};
   return {rotationAbout(axis.normalized(), chance.uniformWithin(0.01)),
           {distance * std::cos(angle), distance * std::sin(angle), 0}};
@@ -166,6 +169,8 @@ const char* nameOf(Witness witness) {
     return "tracked points";
   case Witness::trackedFrame:
     return "tracked frame";
+  case Witness::footAndHead:
+    return "one foot";
   case Witness::touch:
     break;
   }

@@ -36,6 +36,18 @@ void addPlacement(std::vector<Nuisance>& result, Transform Workcell::*member) {
   }
 }
 
+/// Of the foot; the board is the world.
+void addFloorPlacement(std::vector<Nuisance>& result) {
+  constexpr double anywhere = 10; // [m, rad]
+  for (int axis = 0; axis < 3; ++axis) {
+    result.push_back({[axis](Workcell& cell, double by) {
+                        const auto along = [&](int which) { return axis == which ? by : 0; };
+                        cell.worldFromSole = cell.worldFromSole * floorTransform(along(0), along(1), along(2));
+                      },
+                      anywhere});
+  }
+}
+
 void addMount(std::vector<Nuisance>& result, bool uncertain) {
   constexpr double turnSigma = 0.05; // [rad]
   for (int axis = 0; axis < 3; ++axis) {
@@ -65,14 +77,16 @@ std::vector<Nuisance> nuisancesOf(const Workcell& cell, const WorkcellPlan& plan
   for (Index joint = 0; joint < cell.offsets.size(); ++joint) {
     result.push_back({[joint](Workcell& changed, double by) { changed.offsets[joint] += by; }, offsetSigma});
   }
-  if (cell.witness == Witness::wristCamera) {
+  if (carriesCamera(cell.witness)) {
     addMount(result, plan.mountUncertain);
   } else if (cell.witness == Witness::cameraBeside || cell.witness == Witness::trackedFrame) {
     addPlacement(result, &Workcell::handFromTool);
   } else {
     addPoints(result, &Workcell::points, cell.points.size(), markerSigma);
   }
-  if (cell.witness == Witness::touch) {
+  if (cell.witness == Witness::footAndHead) {
+    addFloorPlacement(result);
+  } else if (cell.witness == Witness::touch) {
     addPoints(result, &Workcell::places, cell.places.size(), anywhere);
   } else {
     addPlacement(result, &Workcell::worldFromStand);
@@ -85,6 +99,7 @@ Index rowCount(const Workcell& cell, const WorkcellReading& reading) {
   switch (cell.witness) {
   case Witness::wristCamera:
   case Witness::cameraBeside:
+  case Witness::footAndHead:
     return 2 * seen;
   case Witness::trackedFrame:
     return 6;
@@ -148,7 +163,7 @@ PoseNoise poseNoise(const Workcell& cell, const WorkcellPlan& plan, const Eigen:
 } // namespace
 
 VectorXd stackMeasurements(const Workcell& cell, const WorkcellSession& session) {
-  const MachineBody body{*cell.machine, cell.flaws};
+  const MachineBody body = bodyOf(cell);
   std::vector<double> values;
   for (const WorkcellReading& reading : session) {
     const VectorXd measured = measure(cell, body, reading, linkAngles(cell, reading));

@@ -76,9 +76,13 @@ private:
 };
 
 void WorkcellSetFile::addInstruments(json& file) {
-  const bool camera = cell_.witness == Witness::wristCamera || cell_.witness == Witness::cameraBeside;
-  if (camera) {
-    const bool wrist = cell_.witness == Witness::wristCamera;
+  if (const auto& sole = question_.machine->sole) {
+    const std::string& foot = question_.machine->joints[sole->joint].link;
+    file["stances"][0]["supportLinks"] = {foot};
+    file["soles"][foot] = placementJson(originTransform(sole->xyz, sole->rpy));
+  }
+  if (seesBoard(cell_.witness)) {
+    const bool wrist = carriesCamera(cell_.witness);
     json lens{{"link", wrist ? "hand" : "world"}, {"width", LensDistortion::width}, {"height", LensDistortion::height},
               {"fx", LensDistortion::focal},      {"fy", LensDistortion::focal},    {"cx", LensDistortion::cx},
               {"cy", LensDistortion::cy},         {"distortion", {0, 0, 0, 0, 0}}};
@@ -93,7 +97,11 @@ void WorkcellSetFile::addInstruments(json& file) {
       points.push_back(listOf(corner, 1e9));
     }
     json board{{"id", "board"}, {"link", wrist ? "world" : "hand"}, {"points", points}};
-    board["placementGuess"] = guessJson(wrist ? cell_.worldFromStand : cell_.handFromTool, noise_);
+    if (cell_.witness == Witness::footAndHead) {
+      board["link"] = "floor";
+    } else {
+      board["placementGuess"] = guessJson(wrist ? cell_.worldFromStand : cell_.handFromTool, noise_);
+    }
     file["cameras"]["camera"] = lens;
     file["boards"] = json::array({board});
     return;
@@ -153,7 +161,7 @@ json WorkcellSetFile::point(const Vector3d& value, double sigma) {
 
 /// `bad`: the reading is wrong by 20 to 50 standard deviations.
 void WorkcellSetFile::addMeasured(const WorkcellReading& reading, bool bad, json& capture) {
-  const MachineBody body{*cell_.machine, cell_.flaws};
+  const MachineBody body = bodyOf(cell_);
   const VectorXd angles = linkAngles(cell_, reading);
   const double error = bad ? noise_.between(20, 50) * plan_.sigma : 0, way = noise_.uniformWithin(3.14);
   const Vector3d wrong{error * std::cos(way), error * std::sin(way), 0};
@@ -210,7 +218,7 @@ json WorkcellSetFile::capture(int number) {
            {"time", std::round((timeOfFirst + reading.time) * 1e4) / 1e4},
            {"stance", 0},
            {"joints", {{"measured", listOf(measured, 1e9)}, {"approach", listOf(approach, 1)}}}};
-  if (cell_.witness == Witness::wristCamera || cell_.witness == Witness::cameraBeside) {
+  if (seesBoard(cell_.witness)) {
     one["camera"] = "camera";
   }
   addMeasured(reading, bad, one);
@@ -256,12 +264,16 @@ json truthJson(const WorkcellItem& item, const WorkcellQuestion& question, const
     truth["setUp"] = item.kind + "@" + question.machine->joints[*joint].name;
   }
   if (question.movedFrom) {
-    const bool wrist = item.witness == Witness::wristCamera, beside = item.witness == Witness::cameraBeside;
-    const std::string what = wrist ? "board" : beside ? "camera" : "tracker";
+    const bool beside = item.witness == Witness::cameraBeside;
+    const std::string what = carriesCamera(item.witness) ? "board" : beside ? "camera" : "tracker";
     const double after = question.session[*question.movedFrom].time;
     const double before = question.session[*question.movedFrom - 1].time;
-    truth["event"] = {
-        {"what", "moved " + what}, {"at", what}, {"before", before}, {"after", after}, {"from", *question.movedFrom}};
+    truth["event"] = {{"what", "moved " + what},
+                      {"at", what},
+                      {"before", before},
+                      {"after", after},
+                      {"by", placementJson(question.cell.moved->by)},
+                      {"from", *question.movedFrom}};
   }
   if (question.badReading) {
     truth["badCapture"] = *question.badReading;
