@@ -125,7 +125,8 @@ std::optional<VectorXd> Stager::drawGoal(std::vector<int>& seen) {
   }
   // the camera looks at a place near the board's middle, from within a cone about its normal
   constexpr double nearest = 0.35, farthest = 0.9, cone = 0.7, aside = 0.07; // [m, rad]
-  const Vector3d from = chance_.between(nearest, farthest) * withinCone(cone, chance_);
+  const double distance = chance_.between(nearest, farthest);
+  const Vector3d from = distance * withinCone(cone, chance_);
   const Vector3d target{chance_.uniformWithin(aside), chance_.uniformWithin(aside), 0};
   const Transform boardFromCamera{lookingAlong((target - from).normalized(), chance_), from};
   const bool wrist = carriesCamera(cell_.witness);
@@ -170,6 +171,62 @@ void readEncoders(const VectorXd& motors, const VectorXd& steps, WorkcellReading
     }
   }
   reading.unread = motors - reading.measured;
+}
+
+/// How far a machine reaches [m], and in which direction it works.
+struct Workplace {
+  double reach;
+  Vector3d ahead;
+};
+
+/// The hand is the camera's nominal mount; the board lies on a table or stands behind it.
+void placeWristCamera(Workcell& cell, const Workplace& place, bool mountUncertain, RandomStream& chance) {
+  cell.points = boardPoints(chance.between(0.025, 0.04));
+  cell.handFromTool.turn = originTransform(Vector3d::Zero(), drawVector(2 * radiansPerDegree, chance)).turn;
+  cell.handFromTool.shift = mountUncertain ? drawVector(mountSigma, chance) : Vector3d::Zero();
+  const bool flat = chance.uniform() < 0.5;
+  const Vector3d normal =
+      flat ? Vector3d{Vector3d::UnitZ() - 0.2 * place.ahead} : Vector3d{0.3 * Vector3d::UnitZ() - place.ahead};
+  cell.worldFromStand = {lookingAlong(normal.normalized(), chance),
+                         (flat ? 0.45 : 0.9) * place.reach * place.ahead + (flat ? 0.02 : 0.4) * Vector3d::UnitZ()};
+}
+
+/// The camera looks at where the hand works.
+void placeCameraBeside(Workcell& cell, const Workplace& place, RandomStream& chance) {
+  cell.points = boardPoints(chance.between(0.02, 0.03));
+  cell.handFromTool = {lookingAlong(withinCone(0.5, chance), chance), drawVector(0.06, chance)};
+  const Vector3d camera = 1.3 * place.reach * place.ahead + chance.between(0.3, 0.7) * Vector3d::UnitZ();
+  const Vector3d work = 0.45 * place.reach * place.ahead + 0.4 * Vector3d::UnitZ();
+  cell.worldFromStand = {lookingAlong((work - camera).normalized(), chance), camera};
+}
+
+void placeTracker(Workcell& cell, const Workplace& place, RandomStream& chance) {
+  for (int i = 0; i < 3; ++i) {
+    cell.points.push_back(drawVector(0.08, chance) + Vector3d{0, 0, 0.05});
+  }
+  cell.handFromTool = {lookingAlong(withinCone(3, chance), chance), drawVector(0.08, chance)};
+  cell.worldFromStand = {lookingAlong(withinCone(3, chance), chance),
+                         3 * place.ahead + drawVector(0.5, chance) + Vector3d{0, 0, 1}};
+}
+
+/// The board on the floor is the world.
+void placeFoot(Workcell& cell, const Workplace& place, RandomStream& chance) {
+  cell.points = boardPoints(chance.between(0.05, 0.07));
+  cell.handFromTool.turn = originTransform(Vector3d::Zero(), drawVector(2 * radiansPerDegree, chance)).turn;
+  const double behind = chance.between(0.3, 0.5) * place.reach, aside = chance.uniformWithin(0.1);
+  cell.worldFromSole = floorTransform(-behind, aside, chance.uniformWithin(0.3));
+}
+
+void placeContacts(Workcell& cell, const Workplace& place, RandomStream& chance) {
+  cell.points.push_back(drawVector(0.03, chance) + Vector3d{0, 0, 0.08});
+  for (int pair = 0; pair < 4; ++pair) {
+    const double where = chance.uniformWithin(2), away = chance.between(0.35, 0.65) * place.reach;
+    const double up = chance.between(0.1, 0.5) * place.reach, apart = chance.between(0.05, 0.15);
+    const Vector3d first{away * std::cos(where), away * std::sin(where), up};
+    cell.places.push_back(first);
+    cell.places.push_back(first + apart * withinCone(pi, chance));
+    cell.distances.emplace_back(2 * pair, 2 * pair + 1);
+  }
 }
 
 } // namespace
@@ -236,55 +293,24 @@ Workcell drawWorkcell(const Machine& machine, const WorkcellPlan& plan, RandomSt
     const bool slides = machine.joints[static_cast<std::size_t>(i)].slides;
     cell.offsets[i] = chance.uniformWithin(slides ? 0.01 : 2 * radiansPerDegree);
   }
-  const double reach = reachOf(machine);
   const double around = chance.uniformWithin(1.2);
-  const Vector3d ahead{std::cos(around), std::sin(around), 0};
+  const Workplace place{reachOf(machine), {std::cos(around), std::sin(around), 0}};
   switch (plan.witness) {
-  case Witness::wristCamera: { // the hand is the camera's nominal mount
-    cell.points = boardPoints(chance.between(0.025, 0.04));
-    const Vector3d turns = drawVector(2 * radiansPerDegree, chance);
-    cell.handFromTool.turn = originTransform(Vector3d::Zero(), turns).turn;
-    cell.handFromTool.shift = plan.mountUncertain ? drawVector(mountSigma, chance) : Vector3d::Zero();
-    // on a table, or upright behind it
-    const Vector3d normal =
-        chance.uniform() < 0.5 ? Vector3d{Vector3d::UnitZ() - 0.2 * ahead} : Vector3d{-ahead + 0.3 * Vector3d::UnitZ()};
-    const bool flat = normal.z() > 0.5;
-    cell.worldFromStand = {lookingAlong(normal.normalized(), chance),
-                           (flat ? 0.45 : 0.9) * reach * ahead + (flat ? 0.02 : 0.4) * Vector3d::UnitZ()};
+  case Witness::wristCamera:
+    placeWristCamera(cell, place, plan.mountUncertain, chance);
     break;
-  }
   case Witness::cameraBeside:
-    cell.points = boardPoints(chance.between(0.02, 0.03));
-    cell.handFromTool = {lookingAlong(withinCone(0.5, chance), chance), drawVector(0.06, chance)};
-    cell.worldFromStand.shift = 1.3 * reach * ahead + chance.between(0.3, 0.7) * Vector3d::UnitZ();
-    cell.worldFromStand.turn =
-        lookingAlong((0.45 * reach * ahead + 0.4 * Vector3d::UnitZ() - cell.worldFromStand.shift).normalized(), chance);
+    placeCameraBeside(cell, place, chance);
     break;
   case Witness::trackedPoints:
   case Witness::trackedFrame:
-    for (int i = 0; i < 3; ++i) {
-      cell.points.push_back(drawVector(0.08, chance) + Vector3d{0, 0, 0.05});
-    }
-    cell.handFromTool = {lookingAlong(withinCone(3, chance), chance), drawVector(0.08, chance)};
-    cell.worldFromStand = {lookingAlong(withinCone(3, chance), chance),
-                           3 * ahead + drawVector(0.5, chance) + Vector3d{0, 0, 1}};
+    placeTracker(cell, place, chance);
     break;
   case Witness::footAndHead:
-    cell.points = boardPoints(chance.between(0.05, 0.07));
-    cell.handFromTool.turn = originTransform(Vector3d::Zero(), drawVector(2 * radiansPerDegree, chance)).turn;
-    cell.worldFromSole = floorTransform(-chance.between(0.3, 0.5) * reach, chance.uniformWithin(0.1),
-                                        chance.uniformWithin(0.3)); // the board is the world
+    placeFoot(cell, place, chance);
     break;
   case Witness::touch:
-    cell.points.push_back(drawVector(0.03, chance) + Vector3d{0, 0, 0.08});
-    for (int pair = 0; pair < 4; ++pair) {
-      const double where = chance.uniformWithin(2);
-      const Vector3d first{chance.between(0.35, 0.65) * reach * std::cos(where),
-                           chance.between(0.35, 0.65) * reach * std::sin(where), chance.between(0.1, 0.5) * reach};
-      cell.places.push_back(first);
-      cell.places.push_back(first + chance.between(0.05, 0.15) * withinCone(pi, chance));
-      cell.distances.emplace_back(2 * pair, 2 * pair + 1);
-    }
+    placeContacts(cell, place, chance);
     break;
   }
   return cell;

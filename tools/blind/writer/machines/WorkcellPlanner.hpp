@@ -23,7 +23,8 @@ struct WorkcellPlan {
   double slipStep = 0;         // a motor's turn seen at the joint; 0: not told [rad]
 };
 
-constexpr double mountSigma = 0.005; // told of an uncertain mount [m]
+constexpr double mountSigma = 0.005;   // told of an uncertain mount [m]
+constexpr double distanceSigma = 2e-5; // of a distance between places [m]
 
 /// The joints' random errors: motor position minus reading of one approach, and deflections [rad].
 struct JointScatter {

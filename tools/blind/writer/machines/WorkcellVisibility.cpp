@@ -12,8 +12,6 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr double distanceSigma = 2e-5; // [m]
-
 /// Something that a calibration estimates besides the effects.
 struct Nuisance {
   std::function<void(Workcell&, double)> change;

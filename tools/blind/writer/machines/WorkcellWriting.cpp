@@ -3,6 +3,7 @@
 #include "seal/Seal.hpp"
 #include "writer/Writing.hpp"
 
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -35,10 +36,11 @@ json placementJson(const Transform& transform) {
 
 /// A placement to start from: off by centimetres and tenths of a radian.
 json guessJson(const Transform& truth, RandomStream& chance) {
-  const auto about = [&](double range) { return chance.uniformWithin(range); };
-  const Transform error =
-      originTransform({about(0.02), about(0.02), about(0.02)}, {about(0.1), about(0.1), about(0.1)});
-  return placementJson(truth * error);
+  std::array<double, 6> error{};
+  for (std::size_t i = 0; i < error.size(); ++i) {
+    error[i] = chance.uniformWithin(i < 3 ? 0.02 : 0.1);
+  }
+  return placementJson(truth * originTransform({error[0], error[1], error[2]}, {error[3], error[4], error[5]}));
 }
 
 /// Writes what the session measured, with noise, as naocal's capture set.
@@ -64,6 +66,9 @@ public:
 
 private:
   void addInstruments(json& file);
+  void addCamera(json& file);
+  void addTracker(json& file) const;
+  void addPlaces(json& file);
   void addSteps(json& file) const;
   json capture(int number);
   void addMeasured(const WorkcellReading& reading, bool bad, json& capture);
@@ -78,67 +83,76 @@ private:
 void WorkcellSetFile::addInstruments(json& file) {
   if (const auto& sole = question_.machine->sole) {
     const std::string& foot = question_.machine->joints[sole->joint].link;
-    file["stances"][0]["supportLinks"] = {foot};
+    file["stances"][0]["supportLinks"] = json::array({foot});
     file["soles"][foot] = placementJson(originTransform(sole->xyz, sole->rpy));
   }
   if (seesBoard(cell_.witness)) {
-    const bool wrist = carriesCamera(cell_.witness);
-    json lens{{"link", wrist ? "hand" : "world"}, {"width", LensDistortion::width}, {"height", LensDistortion::height},
-              {"fx", LensDistortion::focal},      {"fy", LensDistortion::focal},    {"cx", LensDistortion::cx},
-              {"cy", LensDistortion::cy},         {"distortion", {0, 0, 0, 0, 0}}};
-    if (plan_.mountUncertain) {
-      lens["placementSigma"] = {{"x", mountSigma}, {"y", mountSigma}, {"z", mountSigma}};
-    }
-    if (!wrist) {
-      lens["placementGuess"] = guessJson(cell_.worldFromStand, noise_);
-    }
-    json points = json::array();
-    for (const Vector3d& corner : cell_.points) {
-      points.push_back(listOf(corner, 1e9));
-    }
-    json board{{"id", "board"}, {"link", wrist ? "world" : "hand"}, {"points", points}};
-    if (cell_.witness == Witness::footAndHead) {
-      board["link"] = "floor";
-    } else {
-      board["placementGuess"] = guessJson(wrist ? cell_.worldFromStand : cell_.handFromTool, noise_);
-    }
-    file["cameras"]["camera"] = lens;
-    file["boards"] = json::array({board});
+    addCamera(file);
     return;
-  }
-  if (cell_.witness != Witness::touch) {
-    json tracker = json::object();
-    if (plan_.sigmaTold) {
-      tracker["sigma"] = plan_.sigma;
-      if (cell_.witness == Witness::trackedFrame) {
-        tracker["sigmaRotation"] = plan_.sigmaRotation;
-      }
-    }
-    file["trackers"]["tracker"] = tracker;
   }
   if (cell_.witness == Witness::trackedFrame) {
-    file["frames"] = {{{"id", "tool"}, {"link", "hand"}}};
-    return;
-  }
-  for (std::size_t i = 0; i < cell_.points.size(); ++i) {
-    file["markers"].push_back(
-        {{"id", fmt::format("m{}", i)}, {"link", "hand"}, {"pointGuess", {0, 0, 0.05}}, {"pointSigma", 0.1}});
+    file["frames"] = json::array({{{"id", "tool"}, {"link", "hand"}}});
+  } else {
+    for (std::size_t i = 0; i < cell_.points.size(); ++i) {
+      file["markers"].push_back(
+          {{"id", fmt::format("m{}", i)}, {"link", "hand"}, {"pointGuess", {0, 0, 0.05}}, {"pointSigma", 0.1}});
+    }
   }
   if (cell_.witness == Witness::touch) {
-    for (std::size_t i = 0; i < cell_.places.size(); ++i) {
-      file["places"].push_back({{"id", fmt::format("place{}", i)}});
+    addPlaces(file);
+  } else {
+    addTracker(file);
+  }
+}
+
+void WorkcellSetFile::addCamera(json& file) {
+  const bool carried = carriesCamera(cell_.witness);
+  json lens{{"link", carried ? "hand" : "world"}, {"width", LensDistortion::width}, {"height", LensDistortion::height},
+            {"fx", LensDistortion::focal},        {"fy", LensDistortion::focal},    {"cx", LensDistortion::cx},
+            {"cy", LensDistortion::cy},           {"distortion", {0, 0, 0, 0, 0}}};
+  if (plan_.mountUncertain) {
+    lens["placementSigma"] = {{"x", mountSigma}, {"y", mountSigma}, {"z", mountSigma}};
+  }
+  if (!carried) {
+    lens["placementGuess"] = guessJson(cell_.worldFromStand, noise_);
+  }
+  json board{{"id", "board"}, {"link", carried ? "world" : "hand"}, {"points", json::array()}};
+  for (const Vector3d& corner : cell_.points) {
+    board["points"].push_back(listOf(corner, 1e9));
+  }
+  if (cell_.witness == Witness::footAndHead) {
+    board["link"] = "floor";
+  } else {
+    board["placementGuess"] = guessJson(carried ? cell_.worldFromStand : cell_.handFromTool, noise_);
+  }
+  file["cameras"]["camera"] = std::move(lens);
+  file["boards"] = json::array({std::move(board)});
+}
+
+void WorkcellSetFile::addTracker(json& file) const {
+  json tracker = json::object();
+  if (plan_.sigmaTold) {
+    tracker["sigma"] = plan_.sigma;
+    if (cell_.witness == Witness::trackedFrame) {
+      tracker["sigmaRotation"] = plan_.sigmaRotation;
     }
-    constexpr double sigma = 2e-5; // [m]
-    const VectorXd distances = placeDistances(cell_);
-    for (std::size_t i = 0; i < cell_.distances.size(); ++i) {
-      const auto [first, second] = cell_.distances[i];
-      file["distances"].push_back({{"between", {fmt::format("place{}", first), fmt::format("place{}", second)}},
-                                   {"metres", distances[static_cast<Index>(i)] + noise_.normal(sigma)},
-                                   {"sigma", sigma}});
-    }
-    if (plan_.sigmaTold) {
-      file["contactSigma"] = plan_.sigma;
-    }
+  }
+  file["trackers"]["tracker"] = std::move(tracker);
+}
+
+void WorkcellSetFile::addPlaces(json& file) {
+  for (std::size_t i = 0; i < cell_.places.size(); ++i) {
+    file["places"].push_back({{"id", fmt::format("place{}", i)}});
+  }
+  const VectorXd distances = placeDistances(cell_);
+  for (std::size_t i = 0; i < cell_.distances.size(); ++i) {
+    const auto [first, second] = cell_.distances[i];
+    file["distances"].push_back({{"between", {fmt::format("place{}", first), fmt::format("place{}", second)}},
+                                 {"metres", distances[static_cast<Index>(i)] + noise_.normal(distanceSigma)},
+                                 {"sigma", distanceSigma}});
+  }
+  if (plan_.sigmaTold) {
+    file["contactSigma"] = plan_.sigma;
   }
 }
 
@@ -209,7 +223,8 @@ json WorkcellSetFile::capture(int number) {
     approach[joint] = -approach[joint];
   }
   if (bad && cell_.witness == Witness::touch) { // a joint was read wrongly
-    measured[1] += noise_.sign() * noise_.between(0.01, 0.03);
+    const double way = noise_.sign();
+    measured[1] += way * noise_.between(0.01, 0.03);
   }
   json one{{"id", number},
            {"pose", fmt::format("P{:02}", reading.pose)},
