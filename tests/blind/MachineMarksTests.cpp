@@ -58,6 +58,20 @@ TEST_CASE("what moved beside a machine is named by its id and timed by the first
   }
 }
 
+TEST_CASE("an effect of a machine that is said to be trivial counts as detected, of the right name only") {
+  // Proves that negligible effects are judged by their name, where the verdict need not ask for them.
+  for (const char* first : {"LKneePitch", "LHipPitch"}) {
+    json truth = machineTruth("s1", "catalogue", "elasticity");
+    truth["effects"] = json::array({knee(40)});
+    json said = diagnosis("adequate");
+    said["ranking"] = json::array({candidate("elasticity", first)});
+    said["ranking"][0]["state"] = "trivial";
+    Bench bench;
+    bench.add(truth, said);
+    CHECK(bench.marked().detected == (std::string{first} == "LKneePitch"));
+  }
+}
+
 TEST_CASE("a benchmark of machines has its own figures, by how they are measured") {
   // Proves that alarms and unexplained misfits of controls are counted by kind of measurement.
   Bench bench;

@@ -32,10 +32,15 @@ std::size_t testable(const Answer& answer) {
       }));
 }
 
-void markNaming(const Truth::Effect& effect, const Answer& answer, Marks& result) {
+void markNaming(const Truth& truth, const Answer& answer, Marks& result) {
+  const Truth::Effect& effect = truth.effects.front();
   const auto isIt = [&](const Answer::Candidate& candidate) { return candidate.name == effect.name; };
   const auto third = answer.ranking.begin() + std::min<std::ptrdiff_t>(3, std::ssize(answer.ranking));
   result.detected = answer.verdict == "effect-missing" || answer.verdict == "unknown-effect"; // the captures are sound
+  if (truth.machine && !answer.ranking.empty()) { // precise robots show effects that matter to nobody
+    const Answer::Candidate& first = answer.ranking.front();
+    result.detected = *result.detected || (first.state == "trivial" && names(first, effect.name));
+  }
   result.top1 = !answer.ranking.empty() && isIt(answer.ranking.front());
   result.top3 = std::any_of(answer.ranking.begin(), third, isIt);
   result.inClass = !answer.ranking.empty() && names(answer.ranking.front(), effect.name);
@@ -45,10 +50,10 @@ void markNaming(const Truth::Effect& effect, const Answer& answer, Marks& result
   });
   result.expected = theoreticalPower(effect.noncentrality, effect.unknowns.size(), testable(answer));
   if (const Answer::Candidate* candidate = candidateNamed(answer, effect.name)) {
-    for (const auto& [name, truth] : effect.unknowns) {
-      const auto size = candidate->unknowns.size() == 1 ? candidate->unknowns.begin() : candidate->unknowns.find(name);
-      if (size != candidate->unknowns.end() && size->second.sigma > 0) {
-        result.covered.push_back(std::abs(size->second.value - truth) <= 1.96 * size->second.sigma);
+    for (const auto& [name, size] : effect.unknowns) {
+      const auto found = candidate->unknowns.size() == 1 ? candidate->unknowns.begin() : candidate->unknowns.find(name);
+      if (found != candidate->unknowns.end() && found->second.sigma > 0) {
+        result.covered.push_back(std::abs(found->second.value - size) <= 1.96 * found->second.sigma);
       }
     }
   }
@@ -227,7 +232,7 @@ Marks markAnswer(const Case& one) {
   }
   if (hidesOne(truth)) {
     result.blamedOnCaptures = answer.verdict == "bad-captures" || answer.verdict == "scatter";
-    markNaming(truth.effects.front(), answer, result);
+    markNaming(truth, answer, result);
     constexpr double plain = 20, roundedUp = 0.95; // the target size is met within 2 %
     const bool notable = truth.effects.front().noncentrality > roundedUp * plain;
     if (notable && !answer.suggested.empty()) { // a result that cannot be calibrated or compared is no improvement
