@@ -18,6 +18,10 @@ std::string named(const json& entry) {
   return canonicalMotor(entry.at("effect").get<std::string>() + "@" + entry.at("at").get<std::string>());
 }
 
+std::optional<int> idOf(const json& entry, const char* key) {
+  return entry.contains(key) && entry.at(key).is_number() ? std::optional{entry.at(key).get<int>()} : std::nullopt;
+}
+
 Truth readTruth(const json& file) {
   Truth truth;
   truth.set = file.at("set").get<std::string>();
@@ -44,8 +48,11 @@ Truth readTruth(const json& file) {
   if (file.contains("event")) {
     const json& event = file.at("event");
     truth.event = Truth::Event{event.at("what").get<std::string>(), event.at("at").get<std::string>(),
-                               event.at("before").get<double>(), event.at("after").get<double>()};
+                               event.at("before").get<double>(), event.at("after").get<double>(), idOf(event, "from")};
   }
+  truth.machine = file.value("machine", false);
+  truth.setUp = file.value("setUp", "");
+  truth.badCapture = idOf(file, "badCapture");
   return truth;
 }
 
@@ -97,7 +104,7 @@ std::optional<Solved> readSolved(const json& file, const char* key) {
   Solved solved;
   solved.usable = result.at("usable").get<bool>();
   solved.pValue = result.at("pValue").get<double>();
-  solved.rmsPx = result.at("rmsPx").get<double>();
+  solved.rmsPx = result.at("rmsPx").is_number() ? result.at("rmsPx").get<double>() : 0; // no corners
   for (const auto& [name, level] : result.at("noise").items()) {
     if (level.is_number()) {
       solved.noise[name] = level.get<double>();
@@ -145,8 +152,10 @@ Answer readAnswer(const json& file) {
   }
   for (const json& entry : diagnosis.value("suspicious", json::array())) {
     const std::string why = entry.value("why", "");
-    const json time = entry.value("time", json{});
-    answer.suspicious.push_back({why, time.is_number() ? std::optional{time.get<double>()} : timeIn(why)});
+    const json time = entry.value("time", json{}), moved = entry.value("moved", json{});
+    answer.suspicious.push_back({why, time.is_number() ? std::optional{time.get<double>()} : timeIn(why),
+                                 entry.value("setUp", ""), moved.is_string() ? moved.get<std::string>() : "",
+                                 idOf(entry, "capture"), idOf(entry, "from")});
   }
   return answer;
 }

@@ -26,10 +26,14 @@ struct Truth {
   double jitter = 0;                     // of readings at rest, 1 sigma [rad]
   std::map<std::string, double> offsets; // by joint [rad]
   struct Event {
-    std::string what, at;         // "kicked board", "slipped robot", "offset step"; board, stance or joint
-    double before = 0, after = 0; // last reading before and first one after it, since the first reading [s]
+    std::string what, at;                   // "kicked board", "slipped robot", "offset step"; board, stance or joint
+    double before = 0, after = 0;           // last reading before and first one after it, since the first reading [s]
+    std::optional<int> from = std::nullopt; // first capture after it, where something beside a machine moved
   };
   std::optional<Event> event;
+  bool machine = false;          // a robot with a URDF; `noise` says then how it is measured
+  std::string setUp;             // "reversedJoint@JOINT", "countSlip@JOINT"; empty: right
+  std::optional<int> badCapture; // id of a wrong reading
 };
 
 /// A calibration of the set, from RESULT.json.
@@ -66,7 +70,9 @@ struct Answer {
   bool lockedFell = false;                             // that error fell, weighted with the joints' random errors
   struct Suspicion {
     std::string why;
-    std::optional<double> time; // since the first capture [s]
+    std::optional<double> time;       // since the first capture [s]
+    std::string setUp, moved;         // label of a wrong set-up; what moved
+    std::optional<int> capture, from; // ids of a bad capture and of the first one after a move
   };
   std::vector<Suspicion> suspicious;
   std::optional<Solved> first, suggestedAdded; // without additions, and with the suggested effects

@@ -32,10 +32,15 @@ std::size_t testable(const Answer& answer) {
       }));
 }
 
-void markNaming(const Truth::Effect& effect, const Answer& answer, Marks& result) {
+void markNaming(const Truth& truth, const Answer& answer, Marks& result) {
+  const Truth::Effect& effect = truth.effects.front();
   const auto isIt = [&](const Answer::Candidate& candidate) { return candidate.name == effect.name; };
   const auto third = answer.ranking.begin() + std::min<std::ptrdiff_t>(3, std::ssize(answer.ranking));
   result.detected = answer.verdict == "effect-missing" || answer.verdict == "unknown-effect"; // the captures are sound
+  if (truth.machine && !answer.ranking.empty()) { // precise robots show effects that matter to nobody
+    const Answer::Candidate& first = answer.ranking.front();
+    result.detected = *result.detected || (first.state == "trivial" && names(first, effect.name));
+  }
   result.top1 = !answer.ranking.empty() && isIt(answer.ranking.front());
   result.top3 = std::any_of(answer.ranking.begin(), third, isIt);
   result.inClass = !answer.ranking.empty() && names(answer.ranking.front(), effect.name);
@@ -45,10 +50,10 @@ void markNaming(const Truth::Effect& effect, const Answer& answer, Marks& result
   });
   result.expected = theoreticalPower(effect.noncentrality, effect.unknowns.size(), testable(answer));
   if (const Answer::Candidate* candidate = candidateNamed(answer, effect.name)) {
-    for (const auto& [name, truth] : effect.unknowns) {
-      const auto size = candidate->unknowns.size() == 1 ? candidate->unknowns.begin() : candidate->unknowns.find(name);
-      if (size != candidate->unknowns.end() && size->second.sigma > 0) {
-        result.covered.push_back(std::abs(size->second.value - truth) <= 1.96 * size->second.sigma);
+    for (const auto& [name, size] : effect.unknowns) {
+      const auto found = candidate->unknowns.size() == 1 ? candidate->unknowns.begin() : candidate->unknowns.find(name);
+      if (found != candidate->unknowns.end() && found->second.sigma > 0) {
+        result.covered.push_back(std::abs(found->second.value - size) <= 1.96 * found->second.sigma);
       }
     }
   }
@@ -153,6 +158,27 @@ void markEvent(const Truth::Event& event, const Answer& answer, Marks& result) {
   result.eventTimed = timed;
 }
 
+/// What moved beside a machine is named by its id, and when by the first capture after it.
+void markMoved(const Truth::Event& event, const Answer& answer, Marks& result) {
+  const auto named = [&](const Answer::Suspicion& suspicion) { return suspicion.moved == event.at; };
+  result.eventNamed = std::any_of(answer.suspicious.begin(), answer.suspicious.end(), named);
+  result.eventTimed =
+      std::any_of(answer.suspicious.begin(), answer.suspicious.end(),
+                  [&](const Answer::Suspicion& suspicion) { return named(suspicion) && suspicion.from == event.from; });
+}
+
+/// A wrong set-up stands first; a bad reading is one, and nothing else is said to be missing.
+void markCulprit(const Truth& truth, const Answer& answer, Marks& result) {
+  if (!truth.setUp.empty()) {
+    result.culpritNamed = !answer.suspicious.empty() && answer.suspicious.front().setUp == truth.setUp;
+  } else if (truth.badCapture) {
+    const bool named =
+        std::any_of(answer.suspicious.begin(), answer.suspicious.end(),
+                    [&](const Answer::Suspicion& suspicion) { return suspicion.capture == truth.badCapture; });
+    result.culpritNamed = named && answer.suggested.empty();
+  }
+}
+
 /// A slipping joint may also be reported as an event with a time.
 bool tellsStep(const Truth::Effect& effect, const Answer& answer) {
   const std::size_t at = effect.name.find('@');
@@ -198,6 +224,7 @@ Marks markAnswer(const Case& one) {
   result.alarmed =
       answer.verdict == "effect-missing" || answer.verdict == "unknown-effect" || answer.verdict == "bad-captures";
   result.unknownSaid = answer.verdict == "unknown-effect";
+  result.misfitSaid = answer.verdict == "inconclusive";
   markOffsets(truth, answer.first, result.wronglyUsable, result.offsetsInside);
   markOffsets(truth, answer.suggestedAdded, result.wronglyUsableAfter, result.offsetsInsideAfter);
   if (answer.first && answer.fixedNoisePx) {
@@ -205,7 +232,7 @@ Marks markAnswer(const Case& one) {
   }
   if (hidesOne(truth)) {
     result.blamedOnCaptures = answer.verdict == "bad-captures" || answer.verdict == "scatter";
-    markNaming(truth.effects.front(), answer, result);
+    markNaming(truth, answer, result);
     constexpr double plain = 20, roundedUp = 0.95; // the target size is met within 2 %
     const bool notable = truth.effects.front().noncentrality > roundedUp * plain;
     if (notable && !answer.suggested.empty()) { // a result that cannot be calibrated or compared is no improvement
@@ -223,6 +250,10 @@ Marks markAnswer(const Case& one) {
     result.saidUntestable = candidate != nullptr && (candidate->state == "absorbed" || candidate->state == "no-data");
   } else if (truth.group == "corrupted") {
     result.saidCorrupted = answer.verdict == "bad-captures";
+  } else if (truth.machine && truth.event) {
+    markMoved(*truth.event, answer, result);
+  } else if (truth.group == "setup" || truth.group == "reading") {
+    markCulprit(truth, answer, result);
   } else if (truth.group == "event" && truth.event) {
     markEvent(*truth.event, answer, result);
   } else if (truth.group == "jitter") {

@@ -8,6 +8,7 @@ namespace blind {
 struct Marks {
   bool alarmed = false;                              // reports an error of the model or the captures
   bool unknownSaid = false;                          // reports a misfit that no known effect explains
+  bool misfitSaid = false;                           // reports a misfit without a cause
   std::optional<bool> detected, top1, top3, inClass; // one hidden effect of the catalogue
   std::optional<double> expected;                    // theoretical probability of detection
   std::vector<bool> covered;                         // per true unknown: inside the 95 % interval
@@ -22,6 +23,7 @@ struct Marks {
   std::optional<bool> extraNamed;                        // a suggestion is neither the effect nor in its class
   std::optional<bool> blamedOnCaptures;                  // an effect reported as bad captures or scatter
   std::optional<bool> eventNamed, eventTimed;            // the event is identified, and its time
+  std::optional<bool> culpritNamed;                      // the wrong set-up, or the bad reading and no effect
   std::optional<bool> jitterAdequate, jitterLevel;       // no effect missing, and the level within 20 %
 };
 

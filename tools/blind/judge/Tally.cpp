@@ -1,5 +1,7 @@
 #include "judge/Tally.hpp"
 
+#include "judge/Figures.hpp"
+#include "judge/MachineFigures.hpp"
 #include "judge/Statistics.hpp"
 
 #include <algorithm>
@@ -26,6 +28,10 @@ void addCatalogue(const Truth& truth, const Marks& marked, Tally& result) {
     return;
   }
   result.bySize[truth.wanted].add(marked);
+  constexpr double clear = 40;
+  if (truth.machine && truth.wanted >= clear) {
+    result.byWitness[truth.noise].add(marked);
+  }
   result.cells[{family(truth), truth.wanted, truth.poses, truth.noise}].add(marked);
   constexpr double plain = 19;
   if (truth.effects.front().noncentrality > plain) {
@@ -97,46 +103,14 @@ template <typename Map> json sharesJson(const Map& shares) {
   return result;
 }
 
-Cell cellAt(const Tally& tally, double size) {
-  const auto found = tally.bySize.find(size);
-  return found == tally.bySize.end() ? Cell{} : found->second;
-}
-
-class Figures {
-public:
-  void atLeast(std::string what, double percent, const Share& share) {
-    add(std::move(what), fmt::format("at least {:g} %", percent), share, share.rate() >= percent / 100);
-  }
-  void atMost(std::string what, double percent, const Share& share) {
-    add(std::move(what), fmt::format("at most {:g} %", percent), share, share.rate() <= percent / 100);
-  }
-  /// For offsets, which are dependent within a set: the band is slightly too narrow.
-  void coverage(std::string what, const Share& share) {
-    add(std::move(what), "93 to 97 %", share, share.rate() >= 0.93 && share.rate() <= 0.97);
-  }
-  void value(std::string what, std::string wanted, double value, std::size_t sets, bool met) {
-    if (sets > 0) {
-      figures_.push_back({std::move(what), std::move(wanted), {0, sets}, met, value});
-    }
-  }
-  void add(std::string what, std::string wanted, const Share& share, bool met) {
-    if (share.all > 0) {
-      figures_.push_back({std::move(what), std::move(wanted), share, met});
-    }
-  }
-  std::vector<Required> all() && { return std::move(figures_); }
-
-private:
-  std::vector<Required> figures_;
-};
-
 /// Requirements for wrong models or readings: results, causes and events.
 void addHonesty(const Tally& tally, Figures& figures) {
   figures.atMost("called usable with an offset beyond 3.5 sigma, effect hidden", 2, tally.wronglyUsable);
   figures.atMost("... after adding what is suggested", 2, tally.wronglyUsableAfter);
-  figures.coverage("offsets inside their 95 % interval, sound sets", tally.offsetsSound);
-  figures.coverage("... effect hidden, nothing added", tally.offsetsHidden);
-  figures.coverage("... effect hidden, what is suggested added", tally.offsetsAfter);
+  // offsets are dependent within a set: the band is slightly too narrow
+  figures.between("offsets inside their 95 % interval, sound sets", 93, 97, tally.offsetsSound);
+  figures.between("... effect hidden, nothing added", 93, 97, tally.offsetsHidden);
+  figures.between("... effect hidden, what is suggested added", 93, 97, tally.offsetsAfter);
   const std::size_t large = tally.rmsRatios.size();
   if (large > 0) {
     const double middle = median(tally.rmsRatios);
@@ -163,13 +137,7 @@ void addHonesty(const Tally& tally, Figures& figures) {
     figures.atLeast("jitter of readings, " + repeats + ": adequate", 95, share);
     figures.atLeast("jitter of readings, " + repeats + ": level within 20 %", 95, tally.jitterLevel.at(repeats));
   }
-  for (const auto& [regime, numbers] : tally.pValues) {
-    if (numbers.size() < fewestForUniformity) { // too few for a test
-      continue;
-    }
-    const double p = uniformityP(numbers);
-    figures.value("solve's p on sound sets uniform (KS), " + regime, "p above 0.01", p, numbers.size(), p > 0.01);
-  }
+  addUniformity(tally, figures);
 }
 
 } // namespace
@@ -212,6 +180,10 @@ Tally tallyCases(const std::vector<Case>& cases) {
     if (truth.group == "control" || truth.group == "catalogue") {
       result.falseUnknown.add(marked.unknownSaid);
     }
+    result.machines = result.machines || truth.machine;
+    if (truth.machine && truth.group == "control") {
+      result.misfitSaid[truth.noise].add(marked.misfitSaid);
+    }
     if (truth.group == "control") {
       result.falseAlarms[truth.pictures ? "pictures" : truth.noise].add(marked.alarmed || silent);
     } else if (truth.group == "decoy") {
@@ -234,6 +206,8 @@ Tally tallyCases(const std::vector<Case>& cases) {
       result.falseAlarms["jitter"].add(marked.alarmed || silent);
       result.jitterAdequate[truth.kind].add(marked.jitterAdequate);
       result.jitterLevel[truth.kind].add(marked.jitterLevel);
+    } else if (marked.culpritNamed) {
+      result.culpritNamed[truth.kind].add(marked.culpritNamed);
     } else if (truth.group == "corrupted") {
       result.saidCorrupted.add(marked.saidCorrupted);
       result.byCorruption[truth.kind].add(marked.saidCorrupted);
@@ -258,6 +232,9 @@ json evaluationJson(const Tally& tally) {
             {"saidCorrupted", sharesJson(tally.byCorruption)},
             {"eventsNamed", sharesJson(tally.eventNamed)},
             {"eventsTimed", sharesJson(tally.eventTimed)},
+            {"misfitOnControls", sharesJson(tally.misfitSaid)},
+            {"culpritsNamed", sharesJson(tally.culpritNamed)},
+            {"byWitness", json::array()},
             {"byPlausibleSize", json::array()},
             {"bySize", json::array()},
             {"byFamily", json::array()},
@@ -271,6 +248,10 @@ json evaluationJson(const Tally& tally) {
   for (const auto& [size, cell] : tally.byPlausible) {
     file["byPlausibleSize"].push_back(cellJson(cell));
     file["byPlausibleSize"].back()["plausible"] = size;
+  }
+  for (const auto& [name, cell] : tally.byWitness) {
+    file["byWitness"].push_back(cellJson(cell));
+    file["byWitness"].back()["witness"] = name;
   }
   for (const auto& [name, cell] : tally.byFamily) {
     file["byFamily"].push_back(cellJson(cell));
@@ -293,16 +274,14 @@ json evaluationJson(const Tally& tally) {
 }
 
 std::vector<Required> requiredFigures(const Tally& tally) {
+  if (tally.machines) {
+    return machineFigures(tally);
+  }
   Figures figures;
   for (const auto& [regime, share] : tally.falseAlarms) {
     figures.atMost("false alarms on controls, " + regime, 7, share);
   }
-  for (const double size : {10.0, 20.0, 40.0}) {
-    const Cell cell = cellAt(tally, size);
-    const double theory = cell.expected.value();
-    figures.add(fmt::format("detected at noncentrality {:g}", size), fmt::format("{:.0f} % ± 10", 100 * theory),
-                cell.detected, cell.detected.rate() >= theory - 0.1);
-  }
+  addPower(tally, figures);
   for (const auto& [size, percent] : {std::pair{20.0, 85.0}, {40.0, 95.0}, {100.0, 98.0}}) {
     figures.atLeast(fmt::format("right class at noncentrality {:g}", size), percent, cellAt(tally, size).inClass);
   }
@@ -317,18 +296,10 @@ std::vector<Required> requiredFigures(const Tally& tally) {
   figures.atLeast("outside the catalogue, 0.3°, clean: joint, driver, \"unknown\"", 90, tally.unknownClean);
   figures.atLeast("outside the catalogue, stiction, noncentrality 40 and 80", 90, tally.unknownSticking);
   figures.atMost("\"unknown\" on controls and catalogued effects", 5, tally.falseUnknown);
-  Share fell, near, covered;
-  for (const auto& [size, cell] : tally.bySize) {
-    for (const auto& [sum, part] :
-         {std::pair{&fell, &cell.errorFell}, {&near, &cell.nearFloor}, {&covered, &cell.covered}}) {
-      sum->yes += part->yes;
-      sum->all += part->all;
-    }
-  }
-  figures.atLeast("the suggestion lowers the error on locked poses", 95, fell);
-  figures.atLeast("... to within 10 % of the floor", 95, near);
-  figures.add("95 % interval of the size covers the truth", "90 to 98 %", covered,
-              covered.rate() >= 0.90 && covered.rate() <= 0.98);
+  const PooledSizes pooled = poolSizes(tally);
+  figures.atLeast("the suggestion lowers the error on locked poses", 95, pooled.errorFell);
+  figures.atLeast("... to within 10 % of the floor", 95, pooled.nearFloor);
+  figures.between("95 % interval of the size covers the truth", 90, 98, pooled.covered);
   figures.atLeast("absorbed effects said to be untestable", 95, tally.saidUntestable);
   figures.atLeast("corrupted sets said to be corrupted", 95, tally.saidCorrupted);
   addHonesty(tally, figures);

@@ -54,6 +54,10 @@ struct Tally {
   Share cameraBlamed, extraNamed, twinClass;
   std::vector<double> rmsRatios; // first fit relative to the default noise levels, large effects
   std::map<std::string, Share> eventNamed, eventTimed, jitterAdequate, jitterLevel; // by event, by repeat kind
+  bool machines = false;                              // robots with a URDF: their own figures
+  std::map<std::string, Share> misfitSaid;            // controls of machines, by how they are measured
+  std::map<std::string, Share> culpritNamed;          // wrong set-ups and bad readings, by kind
+  std::map<std::string, Cell> byWitness;              // noncentrality 40 and more, by how they are measured
   std::map<std::string, std::vector<double>> pValues; // of solve, by noise regime; sound sets
   Mean seconds;
   std::size_t sets = 0, withoutVerdict = 0;

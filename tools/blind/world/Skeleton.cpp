@@ -6,8 +6,6 @@ namespace blind {
 
 namespace {
 
-constexpr double gravity = 9.81; // [m/s^2]
-
 /// Tilts an axis about two directions: (y, z) for x, (z, x) for y, (x, y) for z; for the hip's skew axis x
 /// and axis * x.
 Eigen::Vector3d tiltedAxis(const Eigen::Vector3d& axis, const JointFlaws& flaws) {

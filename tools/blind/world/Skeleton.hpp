@@ -5,6 +5,8 @@
 
 namespace blind {
 
+inline constexpr double gravity = 9.81; // [m/s^2]
+
 /// A rotation about the origin, then a translation.
 struct Transform {
   Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();

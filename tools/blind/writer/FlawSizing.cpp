@@ -5,9 +5,21 @@
 
 namespace blind {
 
+namespace {
+
+HiddenFlaw hiddenFlaw(const FlawFamily& family, const std::string& place, SizedFlaw flaw) {
+  return {&family, place, std::move(flaw.values), flaw.noncentrality, flaw.kept};
+}
+
+} // namespace
+
 FlawSizing::FlawSizing(const Robot& robot, const Session& session, const Noncentrality& noncentrality)
     : robot_{robot}, session_{session}, noncentrality_{noncentrality}, without_{Noncentrality::stacked(
                                                                            TruePictures{robot, session}, session)} {}
+
+MeasuredChange FlawSizing::changeBy(const FlawFamily& family, const std::string& place) const {
+  return [this, &family, &place](const std::vector<double>& values) { return change(family, place, values); };
+}
 
 Eigen::VectorXd FlawSizing::change(const FlawFamily& family, const std::string& place,
                                    std::span<const double> values) const {
@@ -17,40 +29,13 @@ Eigen::VectorXd FlawSizing::change(const FlawFamily& family, const std::string& 
 }
 
 HiddenFlaw FlawSizing::makeFlaw(const FlawFamily& family, const std::string& place, std::vector<double> values) const {
-  const Eigen::VectorXd difference = change(family, place, values);
-  const double noncentrality = noncentrality_.product(difference, difference);
-  std::vector<double> small = values; // to first order: a calibration absorbs what is curved as well
-  for (double& value : small) {
-    value *= 0.1;
-  }
-  const Eigen::VectorXd slope = change(family, place, small);
-  const double known = noncentrality_.knownProduct(slope, slope);
-  return {&family, place, std::move(values), noncentrality,
-          known > 0 ? noncentrality_.product(slope, slope) / known : 0};
+  return hiddenFlaw(family, place, weighFlaw(changeBy(family, place), noncentrality_, std::move(values)));
 }
 
 std::optional<HiddenFlaw> FlawSizing::scaleTo(const FlawFamily& family, const std::string& place,
-                                              std::vector<double> shape, double wanted, double most) const {
-  constexpr double closeEnough = 0.02;
-  double size = 0.3;
-  for (int round = 0; round < 12; ++round) {
-    std::vector<double> values = shape;
-    for (double& value : values) {
-      value *= size;
-    }
-    HiddenFlaw hidden = makeFlaw(family, place, std::move(values));
-    if (std::abs(hidden.noncentrality - wanted) < closeEnough * wanted) {
-      return hidden;
-    }
-    if (!(hidden.noncentrality > 0)) {
-      return std::nullopt;
-    }
-    size *= std::clamp(std::sqrt(wanted / hidden.noncentrality), 0.01, 100.0);
-    if (size > most) {
-      return std::nullopt;
-    }
-  }
-  return std::nullopt;
+                                              const std::vector<double>& shape, double wanted, double most) const {
+  auto flaw = scaleFlaw(changeBy(family, place), noncentrality_, shape, wanted, most);
+  return flaw ? std::optional{hiddenFlaw(family, place, std::move(*flaw))} : std::nullopt;
 }
 
 Eigen::MatrixXd FlawSizing::signatures(const HiddenFlaw& hidden) const {
@@ -85,23 +70,15 @@ namespace {
 
 /// A random direction, scaled by `size` of each unknown; nonnegative for flaws that cannot be negative.
 template <typename Size> std::vector<double> drawnShape(const FlawFamily& family, Size size, RandomStream& chance) {
-  std::vector<double> shape;
-  double square = 0;
-  for (std::size_t i = 0; i < family.unknowns.size(); ++i) {
-    shape.push_back(chance.normal(1));
-    square += shape.back() * shape.back();
-  }
-  for (std::size_t i = 0; i < shape.size(); ++i) {
-    shape[i] *= size(family.unknowns[i]) / std::sqrt(square);
+  std::vector<double> ofUnknowns;
+  for (const FlawFamily::Unknown& unknown : family.unknowns) {
+    ofUnknowns.push_back(size(unknown));
   }
   const bool neverNegative = family.effect == "backlash" || family.effect == "hysteresis" ||
                              family.effect == "gearPlay" || family.effect == "elasticity" ||
                              family.effect == "soleCompliance" || family.effect == "rollingShutter" ||
                              family.effect == "kneeRootSag";
-  for (double& value : shape) {
-    value = neverNegative ? std::abs(value) : value;
-  }
-  return shape;
+  return drawShape(ofUnknowns, neverNegative, chance);
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #include "world/Flaws.hpp"
 #include "world/RandomStream.hpp"
 #include "writer/Noncentrality.hpp"
+#include "writer/NoncentralityScaling.hpp"
 
 #include <optional>
 
@@ -24,14 +25,15 @@ public:
 
   /// Scales `shape` until the change of the images has noncentrality `wanted` (iterating its square law); absent if the
   /// factor exceeds `most`.
-  std::optional<HiddenFlaw> scaleTo(const FlawFamily& family, const std::string& place, std::vector<double> shape,
-                                    double wanted, double most) const;
+  std::optional<HiddenFlaw> scaleTo(const FlawFamily& family, const std::string& place,
+                                    const std::vector<double>& shape, double wanted, double most) const;
   /// The flaw at these values, with its noncentrality in the session.
   HiddenFlaw makeFlaw(const FlawFamily& family, const std::string& place, std::vector<double> values) const;
   /// Largest canonical correlation of two flaws' changes of the images, all unknowns free.
   double correlation(const HiddenFlaw& first, const HiddenFlaw& second) const;
 
 private:
+  MeasuredChange changeBy(const FlawFamily& family, const std::string& place) const; // keeps references
   Eigen::VectorXd change(const FlawFamily& family, const std::string& place, std::span<const double> values) const;
   Eigen::MatrixXd signatures(const HiddenFlaw& hidden) const;
 

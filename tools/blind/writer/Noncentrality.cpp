@@ -214,13 +214,6 @@ Jacobian::Jacobian(const Robot& robot, const Session& session) : layout_{layOutC
   }
 }
 
-/// The rows of a pose, and what is random in them.
-struct PoseNoise {
-  std::vector<Index> rows;
-  MatrixXd shared;  // by common random variables of unit variance [px]
-  VectorXd weights; // 1 / sigma^2 of the corners [1/px^2]
-};
-
 /// A sight and its first row.
 struct SightRows {
   const BoardSight* sight;
@@ -304,38 +297,30 @@ double noiseFloor(const Robot& robot, const Session& session, const ObservedCorn
   return std::sqrt(left.squaredNorm() / (0.5 * static_cast<double>(left.size())));
 }
 
-Noncentrality::Noncentrality(const Robot& robot, const Session& session, const NoiseRegime& noise) {
-  const Jacobian jacobian{robot, session};
-  unknowns_ = jacobian.unknowns();
+namespace {
 
+std::vector<PoseNoise> noiseByPose(const Jacobian& jacobian, const Session& session, const NoiseRegime& noise) {
   std::map<int, std::vector<SightRows>> poses;
   Index row = 0;
   for (const BoardSight& sight : session.sights) {
     poses[session.readings[sight.reading].pose].push_back({&sight, row});
     row += rowCount(sight);
   }
+  std::vector<PoseNoise> result;
   for (const auto& [pose, members] : poses) {
-    PoseNoise random = noiseOf(members, jacobian.byChain(), session, noise);
-    Block block{std::move(random.rows), std::move(random.shared), std::move(random.weights), {}};
-    block.inner.compute(MatrixXd::Identity(block.shared.cols(), block.shared.cols()) +
-                        block.shared.transpose() * block.weights.asDiagonal() * block.shared);
-    blocks_.push_back(std::move(block));
-  }
-  whitenedUnknowns_ = whitened(unknowns_);
-  MatrixXd information = unknowns_.transpose() * whitenedUnknowns_;
-  information.diagonal() += jacobian.priorWeights();
-  information_.compute(information);
-}
-
-MatrixXd Noncentrality::whitened(const MatrixXd& columns) const {
-  MatrixXd result{columns.rows(), columns.cols()};
-  for (const Block& block : blocks_) {
-    const MatrixXd weighted = block.weights.asDiagonal() * columns(block.rows, Eigen::all);
-    result(block.rows, Eigen::all) =
-        weighted - block.weights.asDiagonal() * (block.shared * block.inner.solve(block.shared.transpose() * weighted));
+    result.push_back(noiseOf(members, jacobian.byChain(), session, noise));
   }
   return result;
 }
+
+ProjectedProduct projectedProduct(const Jacobian& jacobian, const Session& session, const NoiseRegime& noise) {
+  return {noiseByPose(jacobian, session, noise), jacobian.unknowns(), jacobian.priorWeights()};
+}
+
+} // namespace
+
+Noncentrality::Noncentrality(const Robot& robot, const Session& session, const NoiseRegime& noise)
+    : ProjectedProduct{projectedProduct(Jacobian{robot, session}, session, noise)} {}
 
 VectorXd Noncentrality::stacked(const TruePictures& pictures, const Session& session) {
   std::vector<double> values;
@@ -346,15 +331,6 @@ VectorXd Noncentrality::stacked(const TruePictures& pictures, const Session& ses
     }
   }
   return Eigen::Map<const VectorXd>(values.data(), static_cast<Index>(values.size()));
-}
-
-double Noncentrality::knownProduct(const VectorXd& left, const VectorXd& right) const {
-  return left.dot(whitened(right).col(0));
-}
-
-double Noncentrality::product(const VectorXd& left, const VectorXd& right) const {
-  const VectorXd leftPart = whitenedUnknowns_.transpose() * left, rightPart = whitenedUnknowns_.transpose() * right;
-  return knownProduct(left, right) - leftPart.dot(information_.solve(rightPart));
 }
 
 } // namespace blind

@@ -53,13 +53,6 @@ std::pair<const FlawFamily*, std::string> absorbedEffect(const std::string& kind
   return {&familyNamed("timeOffset"), "all"}; // "no motion"
 }
 
-std::vector<double> scaled(std::vector<double> values, double size) {
-  for (double& value : values) {
-    value *= size;
-  }
-  return values;
-}
-
 std::vector<double> physicalSize(const FlawFamily& family, RandomStream& chance) {
   std::vector<double> values = randomShape(family, chance);
   return scaled(std::move(values), chance.between(0.7, 1.5));

@@ -75,6 +75,24 @@ std::string setName(int number) {
   return fmt::format("s{:06}", number);
 }
 
+void sealTruth(const std::string& truth, bool pictures, std::uint64_t seed, int number,
+               const std::filesystem::path& out) {
+  const std::string name = setName(number);
+  const std::filesystem::path keyFile = out / "truth" / "key";
+  const std::string key = sha256Hex(fmt::format("blind benchmark {}", seed));
+  if (!std::filesystem::exists(keyFile)) {
+    writeFile(keyFile, key);
+  }
+  const std::string bytes = seal(truth, key);
+  writeFile(out / "truth" / (name + ".sealed"), bytes);
+  const json manifest{{"format", "naocal-blind-manifest"},
+                      {"version", 1},
+                      {"set", name},
+                      {"pictures", pictures},
+                      {"truthSha256", sha256Hex(bytes)}};
+  writeFile(out / "manifest" / (name + ".json"), manifest.dump(1) + "\n");
+}
+
 void writeItem(const Drawing& drawing, const DesignItem& item, std::uint64_t seed, int number,
                const std::filesystem::path& out) {
   const std::string name = setName(number);
@@ -102,19 +120,7 @@ void writeItem(const Drawing& drawing, const DesignItem& item, std::uint64_t see
   writeFile(out / "locked" / name / "captures.json",
             captureSetJson(drawing, later, seenLater, false, name).dump() + "\n");
 
-  const std::filesystem::path keyFile = out / "truth" / "key";
-  const std::string key = sha256Hex(fmt::format("blind benchmark {}", seed));
-  if (!std::filesystem::exists(keyFile)) {
-    writeFile(keyFile, key);
-  }
-  const std::string bytes = seal(truth.dump(1), key);
-  writeFile(out / "truth" / (name + ".sealed"), bytes);
-  const json manifest{{"format", "naocal-blind-manifest"},
-                      {"version", 1},
-                      {"set", name},
-                      {"pictures", item.pictures},
-                      {"truthSha256", sha256Hex(bytes)}};
-  writeFile(out / "manifest" / (name + ".json"), manifest.dump(1) + "\n");
+  sealTruth(truth.dump(1), item.pictures, seed, number, out);
 }
 
 } // namespace blind

@@ -16,4 +16,8 @@ void writeItem(const Drawing& drawing, const DesignItem& item, std::uint64_t see
 /// Name of a set; does not reveal its contents.
 std::string setName(int number);
 
+/// Seals the truth of a set and lists the set in the manifest. `pictures`: it has images instead of corners.
+void sealTruth(const std::string& truth, bool pictures, std::uint64_t seed, int number,
+               const std::filesystem::path& out);
+
 } // namespace blind

@@ -14,6 +14,7 @@
 #include "robot/Robot.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cstdint>
@@ -41,6 +42,7 @@ struct BlindPlan {
   double pictureShare = 0; // fraction of controls and catalogued effects that is rendered instead of given as corners
   std::string only;        // a single group; empty: all
   bool keep = false;       // keeps the sets after answering
+  bool robots = false;     // robots with a URDF instead of NAOs
 };
 
 /// Runs naocal on robots with unknown flaws. Uses only programs and files, as a user would: blind-writer, naocal
@@ -108,7 +110,9 @@ public:
     answer["diagnosis"] = jsonOf(between_ / "diagnosis.json");
     const auto suggested = answer["diagnosis"].value("suggested", std::vector<std::string>{});
     answer["solved"] = solved({}, "before.json");
-    answer["solvedWithFixedNoise"] = solved({"--fixed-noise"}, "fixed.json");
+    if (files::exists(locked_)) { // robots with a URDF have neither, and no figures of them
+      answer["solvedWithFixedNoise"] = solved({"--fixed-noise"}, "fixed.json");
+    }
     if (!suggested.empty()) {
       answer["solvedWithSuggested"] = solved(adding(suggested, answer["diagnosis"]), "after.json");
       answer["locked"] = locked();
@@ -130,7 +134,8 @@ private:
   /// Errors on the locked poses, which were never used for selection, with and without the suggested effects. Empty if
   /// they cannot be computed.
   nlohmann::json locked() const {
-    if (!files::exists(between_ / "before.json") || !files::exists(between_ / "after.json") ||
+    if (!files::exists(locked_) || !files::exists(between_ / "before.json") ||
+        !files::exists(between_ / "after.json") ||
         runProcess({naocal_, "compare", between_ / "after.json", locked_, "--against", between_ / "before.json",
                     "--json", between_ / "compared.json"})
                 .exitCode != 0) {
@@ -196,6 +201,9 @@ std::vector<std::string> BlindRun::writerCommand() const {
                                    "--drawing",  configurationDirectory() / "drawings" / "NaoV6.json"};
   if (!plan_.only.empty()) {
     command.insert(command.end(), {"--only", plan_.only});
+  }
+  if (plan_.robots) {
+    command.emplace_back("--robot");
   }
   return command;
 }
@@ -294,12 +302,35 @@ void askAll(const BlindRun& run, const std::vector<std::size_t>& numbers, unsign
   }
 }
 
+const std::vector<std::string> naoGroups{"control",   "decoy", "catalogue", "pair", "outside", "absorbed",
+                                         "corrupted", "sized", "camera",    "twin", "event",   "jitter"};
+const std::vector<std::string> robotGroups{"control", "catalogue", "setup", "event", "reading"};
+
+std::vector<std::string> allGroups() {
+  std::vector<std::string> groups = naoGroups;
+  groups.insert(groups.end(), {"setup", "reading"});
+  return groups;
+}
+
+/// Throws InputError for a group that the benchmark does not have, and for pictures of robots with a URDF.
+void checkGroup(const BlindPlan& plan) {
+  const std::vector<std::string>& groups = plan.robots ? robotGroups : naoGroups;
+  if (!plan.only.empty() && std::find(groups.begin(), groups.end(), plan.only) == groups.end()) {
+    throw InputError{fmt::format("--only: expected {}{}, found {}", fmt::join(groups, ", "),
+                                 plan.robots ? " (with --robot)" : "", plan.only)};
+  }
+  if (plan.robots && plan.pictureShare > 0) {
+    throw InputError{"--pictures: expected no pictures with --robot, whose sets have corners; leave it out"};
+  }
+}
+
 void evaluateEffects(EvaluateCommand command) {
   if (command.full) { // sizes of the published table
     command.plan.controls = 1000;
     command.plan.sets = 40;
-    command.plan.pictureShare = 0.2;
+    command.plan.pictureShare = command.plan.robots ? 0 : 0.2;
   }
+  checkGroup(command.plan);
   command.plan.out = command.out;
   const BlindRun run{command.plan};
   const auto [part, parts] = parseShard(command.shard);
@@ -355,10 +386,12 @@ void addEvaluate(CLI::App& app) {
   CLI::App* effects =
       evaluate->add_subcommand("effects", "a blind benchmark of the diagnosis: hidden effects, sealed truths");
   effects->footer("Example: naocal evaluate effects --out /tmp/blind --page /tmp/blind.html\n"
+                  "         naocal evaluate effects --robot --out /tmp/robots --controls 20\n"
                   "Stopped with Ctrl-C or killed, the same command goes on where it was.");
   effects->add_option("--out", asked->out, "the folder for sets, seals and answers")->type_name("FOLDER")->required();
   effects->add_option("--seed", asked->plan.seed, "another benchmark for every seed")->capture_default_str();
-  effects->add_option("--controls", asked->plan.controls, "robots without effect, per noise regime")
+  effects
+      ->add_option("--controls", asked->plan.controls, "robots without effect, per noise regime or kind of measurement")
       ->check(wholeNumber(0, 1'000'000))
       ->capture_default_str();
   effects->add_option("--sets", asked->plan.sets, "robots per effect and size, and per case otherwise")
@@ -367,10 +400,9 @@ void addEvaluate(CLI::App& app) {
   effects->add_option("--pictures", asked->plan.pictureShare, "share that is rendered")
       ->capture_default_str()
       ->check(number(0.0, 0.9));
-  effects->add_option("--only", asked->plan.only, "one group of sets")
-      ->type_name("GROUP")
-      ->check(oneOf(std::vector<std::string>{"control", "decoy", "catalogue", "pair", "outside", "absorbed",
-                                             "corrupted", "sized", "camera", "twin", "event", "jitter"}));
+  effects->add_option("--only", asked->plan.only, "one group of sets")->type_name("GROUP")->check(oneOf(allGroups()));
+  effects->add_flag("--robot", asked->plan.robots,
+                    "robots with a URDF, measured by cameras, trackers and contacts, instead of NAOs");
   effects->add_option("--shard", asked->shard, "i/n: only every n-th set, from the i-th on (counted from 0)")
       ->type_name("I/N")
       ->group(expertOptions);

@@ -1,0 +1,71 @@
+#include "judge/Figures.hpp"
+
+#include "judge/Statistics.hpp"
+
+#include <fmt/format.h>
+
+namespace blind {
+
+void Figures::atLeast(std::string what, double percent, const Share& share) {
+  add(std::move(what), fmt::format("at least {:g} %", percent), share, share.rate() >= percent / 100);
+}
+
+void Figures::atMost(std::string what, double percent, const Share& share) {
+  add(std::move(what), fmt::format("at most {:g} %", percent), share, share.rate() <= percent / 100);
+}
+
+void Figures::between(std::string what, double low, double high, const Share& share) {
+  add(std::move(what), fmt::format("{:g} to {:g} %", low, high), share,
+      share.rate() >= low / 100 && share.rate() <= high / 100);
+}
+
+void Figures::value(std::string what, std::string wanted, double value, std::size_t sets, bool met) {
+  if (sets > 0) {
+    figures_.push_back({std::move(what), std::move(wanted), {0, sets}, met, value});
+  }
+}
+
+void Figures::add(std::string what, std::string wanted, const Share& share, bool met) {
+  if (share.all > 0) {
+    figures_.push_back({std::move(what), std::move(wanted), share, met});
+  }
+}
+
+Cell cellAt(const Tally& tally, double size) {
+  const auto found = tally.bySize.find(size);
+  return found == tally.bySize.end() ? Cell{} : found->second;
+}
+
+void addPower(const Tally& tally, Figures& figures) {
+  for (const double size : {10.0, 20.0, 40.0}) {
+    const Cell cell = cellAt(tally, size);
+    const double theory = cell.expected.value();
+    figures.add(fmt::format("detected at noncentrality {:g}", size), fmt::format("{:.0f} % ± 10", 100 * theory),
+                cell.detected, cell.detected.rate() >= theory - 0.1);
+  }
+}
+
+void addUniformity(const Tally& tally, Figures& figures) {
+  for (const auto& [regime, numbers] : tally.pValues) {
+    if (numbers.size() < fewestForUniformity) { // too few for a test
+      continue;
+    }
+    const double p = uniformityP(numbers);
+    figures.value("solve's p on sound sets uniform (KS), " + regime, "p above 0.01", p, numbers.size(), p > 0.01);
+  }
+}
+
+PooledSizes poolSizes(const Tally& tally) {
+  PooledSizes pooled;
+  for (const auto& [size, cell] : tally.bySize) {
+    for (const auto& [sum, part] : {std::pair{&pooled.errorFell, &cell.errorFell},
+                                    {&pooled.nearFloor, &cell.nearFloor},
+                                    {&pooled.covered, &cell.covered}}) {
+      sum->yes += part->yes;
+      sum->all += part->all;
+    }
+  }
+  return pooled;
+}
+
+} // namespace blind
