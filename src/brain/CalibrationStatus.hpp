@@ -2,7 +2,7 @@
 
 #include "brain/CalibrationScript.hpp"
 #include "calibration/EffectiveOffsets.hpp"
-#include "calibration/ResultFile.hpp"
+#include "calibration/result/ResultFile.hpp"
 #include "data/Capture.hpp"
 
 #include <cstdint>

@@ -5,7 +5,7 @@
 #include "python/Solved.hpp"
 #include "python/Views.hpp"
 
-#include "calibration/Verdict.hpp"
+#include "calibration/result/Verdict.hpp"
 #include "estimation/ModelBuilder.hpp"
 #include "estimation/ModelFile.hpp"
 #include "io/FileKind.hpp"

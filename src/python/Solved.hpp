@@ -3,7 +3,7 @@
 #include "python/SharedCaptures.hpp"
 
 #include "calibration/Calibration.hpp"
-#include "calibration/ResultFile.hpp"
+#include "calibration/result/ResultFile.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 

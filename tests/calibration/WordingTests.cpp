@@ -1,4 +1,4 @@
-#include "calibration/Wording.hpp"
+#include "calibration/result/Wording.hpp"
 #include "effects/Catalogue.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,6 +1,6 @@
 #include "calibration/Outliers.hpp"
-#include "calibration/Verdict.hpp"
-#include "calibration/Wording.hpp"
+#include "calibration/result/Verdict.hpp"
+#include "calibration/result/Wording.hpp"
 #include "diagnosis/DiagnosisWording.hpp"
 #include "diagnosis/views/TellingPairs.hpp"
 #include "effects/Catalogue.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "TemporaryFolder.hpp"
-#include "calibration/ResultFile.hpp"
+#include "calibration/result/ResultFile.hpp"
 #include "data/CaptureSetFile.hpp"
 #include "data/GoodSet.hpp"
 #include "diagnosis/Session.hpp"

@@ -2,7 +2,7 @@
 
 #include "SimulatedProcess.hpp"
 
-#include "calibration/ResultFile.hpp"
+#include "calibration/result/ResultFile.hpp"
 #include "data/CaptureSetFile.hpp"
 #include "math/Angles.hpp"
 #include "math/LinearAlgebra.hpp"

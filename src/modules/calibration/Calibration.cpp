@@ -6,7 +6,7 @@
 #include "calibration/Outliers.hpp"
 #include "calibration/ReadingNoise.hpp"
 #include "calibration/Uncertainty.hpp"
-#include "calibration/Verdict.hpp"
+#include "calibration/result/Verdict.hpp"
 
 #include <algorithm>
 #include <chrono>

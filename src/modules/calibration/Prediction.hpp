@@ -1,6 +1,6 @@
 #pragma once
 
-#include "calibration/ResultFile.hpp"
+#include "calibration/result/ResultFile.hpp"
 
 #include <Eigen/Core>
 #include <filesystem>

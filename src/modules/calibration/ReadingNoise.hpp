@@ -1,7 +1,7 @@
 #pragma once
 
-#include "calibration/CalibrationResult.hpp"
 #include "calibration/Fit.hpp"
+#include "calibration/result/CalibrationResult.hpp"
 
 namespace naocal {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "calibration/CalibrationResult.hpp"
+#include "calibration/result/CalibrationResult.hpp"
 
 #include <Eigen/Core>
 #include <nlohmann/json_fwd.hpp>

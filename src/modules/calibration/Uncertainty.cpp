@@ -1,7 +1,7 @@
 #include "calibration/Uncertainty.hpp"
 
 #include "calibration/ReadingErrors.hpp"
-#include "calibration/Wording.hpp"
+#include "calibration/result/Wording.hpp"
 #include "estimation/DriverState.hpp"
 #include "inference/NoiseLevels.hpp"
 #include "inference/PoseMisfit.hpp"

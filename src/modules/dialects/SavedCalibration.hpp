@@ -1,7 +1,7 @@
 #pragma once
 
 #include "calibration/EffectiveOffsets.hpp"
-#include "calibration/ResultFile.hpp"
+#include "calibration/result/ResultFile.hpp"
 #include "framework/configuration/Configuration.hpp"
 
 #include <map>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "calibration/Calibration.hpp"
-#include "calibration/ResultFile.hpp"
+#include "calibration/result/ResultFile.hpp"
 #include "diagnosis/Diagnosis.hpp"
 
 #include <filesystem>

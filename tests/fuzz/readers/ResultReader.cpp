@@ -1,4 +1,4 @@
-#include "calibration/ResultFile.hpp"
+#include "calibration/result/ResultFile.hpp"
 #include "fuzz/driver/Reader.hpp"
 #include "io/JsonReader.hpp"
 

@@ -2,7 +2,7 @@
 
 #include "analysis/PanelJson.hpp"
 #include "calibration/Prediction.hpp"
-#include "calibration/ResultFile.hpp"
+#include "calibration/result/ResultFile.hpp"
 #include "diagnosis/DiagnosisFile.hpp"
 #include "diagnosis/Session.hpp"
 #include "effects/UserEffect.hpp"

@@ -1,7 +1,7 @@
 #include "analysis/PanelJson.hpp"
 
 #include "calibration/EffectiveOffsets.hpp"
-#include "calibration/Verdict.hpp"
+#include "calibration/result/Verdict.hpp"
 #include "diagnosis/DiagnosisFile.hpp"
 #include "diagnosis/views/TellingPairs.hpp"
 #include "effects/Catalogue.hpp"

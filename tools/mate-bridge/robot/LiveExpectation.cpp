@@ -1,6 +1,6 @@
 #include "robot/LiveExpectation.hpp"
 
-#include "calibration/Wording.hpp"
+#include "calibration/result/Wording.hpp"
 #include "detect/LensDistortion.hpp"
 #include "effects/Catalogue.hpp"
 #include "robot/Kinematics.hpp"

@@ -1,9 +1,9 @@
 #include "commands/Commands.hpp"
 #include "console/CommandLine.hpp"
 #include "console/OutputFiles.hpp"
-#include "console/PrintDiagnosis.hpp"
-#include "console/PrintText.hpp"
 #include "console/Progress.hpp"
+#include "console/print/PrintDiagnosis.hpp"
+#include "console/print/PrintText.hpp"
 
 #include "command-line/OptionChecks.hpp"
 #include "diagnosis/DiagnosisFile.hpp"

@@ -1,7 +1,7 @@
 #include "commands/Commands.hpp"
 #include "console/CommandLine.hpp"
 #include "console/OutputFiles.hpp"
-#include "console/PrintText.hpp"
+#include "console/print/PrintText.hpp"
 
 #include "command-line/OptionChecks.hpp"
 #include "estimation/ModelFile.hpp"

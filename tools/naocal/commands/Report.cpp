@@ -1,10 +1,10 @@
 #include "commands/Commands.hpp"
 #include "console/CommandLine.hpp"
 #include "console/OutputFiles.hpp"
-#include "console/PrintText.hpp"
+#include "console/print/PrintText.hpp"
 
 #include "calibration/Calibration.hpp"
-#include "calibration/ResultFile.hpp"
+#include "calibration/result/ResultFile.hpp"
 #include "command-line/OptionChecks.hpp"
 #include "estimation/ModelBuilder.hpp"
 #include "report/ReportPage.hpp"

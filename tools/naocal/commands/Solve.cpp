@@ -1,8 +1,8 @@
 #include "commands/Commands.hpp"
 #include "console/CommandLine.hpp"
 #include "console/OutputFiles.hpp"
-#include "console/PrintCalibration.hpp"
-#include "console/PrintText.hpp"
+#include "console/print/PrintCalibration.hpp"
+#include "console/print/PrintText.hpp"
 
 #include "calibration/Calibration.hpp"
 #include "command-line/OptionChecks.hpp"

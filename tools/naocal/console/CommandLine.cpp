@@ -1,7 +1,7 @@
 #include "console/CommandLine.hpp"
 
 #include "command-line/OptionChecks.hpp"
-#include "console/PrintText.hpp"
+#include "console/print/PrintText.hpp"
 #include "data/CaptureSetFile.hpp"
 #include "io/InputError.hpp"
 #include "robot/RobotOfSet.hpp"

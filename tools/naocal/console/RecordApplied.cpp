@@ -1,7 +1,7 @@
 #include "console/RecordApplied.hpp"
 
 #include "calibration/Prediction.hpp"
-#include "console/PrintText.hpp"
+#include "console/print/PrintText.hpp"
 #include "data/CaptureSetFile.hpp"
 #include "dialects/SavedCalibration.hpp"
 #include "io/Files.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "calibration/ResultFile.hpp"
+#include "calibration/result/ResultFile.hpp"
 #include "console/RobotCalibrationFile.hpp"
 #include "framework/configuration/Configuration.hpp"
 #include "runs/Run.hpp"

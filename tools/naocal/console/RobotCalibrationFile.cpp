@@ -1,7 +1,7 @@
 #include "console/RobotCalibrationFile.hpp"
 
 #include "console/CommandLine.hpp"
-#include "console/PrintText.hpp"
+#include "console/print/PrintText.hpp"
 
 #include "calibration/Prediction.hpp"
 #include "command-line/OptionChecks.hpp"

@@ -1,6 +1,6 @@
 #include "console/UrdfExport.hpp"
 
-#include "console/PrintText.hpp"
+#include "console/print/PrintText.hpp"
 
 #include "data/CaptureSetFile.hpp"
 #include "dialects/UrdfCorrection.hpp"

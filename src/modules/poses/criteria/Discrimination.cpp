@@ -1,6 +1,6 @@
 #include "poses/criteria/Discrimination.hpp"
 
-#include "calibration/Wording.hpp"
+#include "calibration/result/Wording.hpp"
 #include "effects/UserEffect.hpp"
 #include "math/LinearAlgebra.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "calibration/CalibrationResult.hpp"
+#include "calibration/result/CalibrationResult.hpp"
 #include "estimation/Model.hpp"
 #include "estimation/Residuals.hpp"
 #include "poses/candidates/PoseSampler.hpp"

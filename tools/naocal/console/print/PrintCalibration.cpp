@@ -1,7 +1,7 @@
-#include "console/PrintCalibration.hpp"
+#include "console/print/PrintCalibration.hpp"
 
-#include "calibration/Verdict.hpp"
-#include "console/PrintText.hpp"
+#include "calibration/result/Verdict.hpp"
+#include "console/print/PrintText.hpp"
 #include "effects/Catalogue.hpp"
 #include "io/Units.hpp"
 #include "math/Angles.hpp"

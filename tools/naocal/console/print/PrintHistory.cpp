@@ -1,6 +1,6 @@
-#include "console/PrintHistory.hpp"
+#include "console/print/PrintHistory.hpp"
 
-#include "console/PrintText.hpp"
+#include "console/print/PrintText.hpp"
 #include "math/Angles.hpp"
 #include "runs/RunWording.hpp"
 

@@ -1,6 +1,6 @@
-#include "console/PrintThesis.hpp"
+#include "console/print/PrintThesis.hpp"
 
-#include "console/PrintText.hpp"
+#include "console/print/PrintText.hpp"
 #include "evaluation/Proportion.hpp"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 #include "commands/Commands.hpp"
 #include "console/CommandLine.hpp"
 #include "console/OutputFiles.hpp"
-#include "console/PrintText.hpp"
 #include "console/Progress.hpp"
+#include "console/print/PrintText.hpp"
 
 #include "command-line/OptionChecks.hpp"
 #include "evaluation/NextPosesTrial.hpp"

@@ -1,7 +1,7 @@
 #include "commands/Commands.hpp"
-#include "console/PrintText.hpp"
 #include "console/RobotCalibrationFile.hpp"
 #include "console/UrdfExport.hpp"
+#include "console/print/PrintText.hpp"
 
 #include "command-line/OptionChecks.hpp"
 #include "dialects/Dialects.hpp"

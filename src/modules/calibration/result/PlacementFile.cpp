@@ -1,4 +1,4 @@
-#include "calibration/PlacementFile.hpp"
+#include "calibration/result/PlacementFile.hpp"
 
 #include "effects/Catalogue.hpp"
 #include "estimation/DriverState.hpp"

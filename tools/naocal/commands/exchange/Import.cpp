@@ -1,6 +1,6 @@
 #include "commands/Commands.hpp"
 #include "console/OutputFiles.hpp"
-#include "console/PrintText.hpp"
+#include "console/print/PrintText.hpp"
 
 #include "command-line/OptionChecks.hpp"
 #include "dialects/Dialects.hpp"

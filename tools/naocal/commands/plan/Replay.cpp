@@ -1,10 +1,10 @@
 #include "commands/Commands.hpp"
 #include "console/OutputFiles.hpp"
-#include "console/PrintText.hpp"
 #include "console/Progress.hpp"
 #include "console/Subprocess.hpp"
+#include "console/print/PrintText.hpp"
 
-#include "calibration/ResultFile.hpp"
+#include "calibration/result/ResultFile.hpp"
 #include "command-line/OptionChecks.hpp"
 #include "data/CaptureSetFile.hpp"
 #include "io/FileVersion.hpp"

@@ -1,8 +1,8 @@
 #include "commands/Commands.hpp"
 #include "console/OutputFiles.hpp"
-#include "console/PrintHistory.hpp"
-#include "console/PrintText.hpp"
 #include "console/RecordApplied.hpp"
+#include "console/print/PrintHistory.hpp"
+#include "console/print/PrintText.hpp"
 
 #include "command-line/OptionChecks.hpp"
 #include "io/InputError.hpp"
@@ -100,9 +100,11 @@ void addHistory(CLI::App& app) {
   teller->footer("Example: naocal history nao21 --joint LKneePitch\n"
                  "Robots record their calibrations, 'naocal apply' what it sets, mate-bridge the runs it sees.");
   teller->add_option("ROBOT", command->robot, "its name or serial number; default: all robots")->type_name("NAME");
-  teller->add_option("--joint", command->joint, "the offset of this joint over time, with falls and jumps")->type_name("JOINT");
-  teller->add_option("--fall", command->fall,
-                     "record that the robot fell: a time in UTC such as \"2026-02-14 10:05\", or now")
+  teller->add_option("--joint", command->joint, "the offset of this joint over time, with falls and jumps")
+      ->type_name("JOINT");
+  teller
+      ->add_option("--fall", command->fall,
+                   "record that the robot fell: a time in UTC such as \"2026-02-14 10:05\", or now")
       ->type_name("TIME");
   teller->add_option("--state", command->state, stateHelp)->type_name("FOLDER")->group(expertOptions);
   teller->add_option("--json", command->json, "write the history as JSON to a file, or - for standard output")

@@ -1,9 +1,9 @@
 #include "commands/Commands.hpp"
-#include "commands/EvaluateThesis.hpp"
+#include "commands/evaluate/EvaluateThesis.hpp"
 #include "console/CommandLine.hpp"
-#include "console/PrintText.hpp"
 #include "console/Progress.hpp"
 #include "console/Subprocess.hpp"
+#include "console/print/PrintText.hpp"
 
 #include "command-line/OptionChecks.hpp"
 #include "estimation/ModelFile.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "calibration/Calibration.hpp"
-#include "calibration/PlacementFile.hpp"
+#include "calibration/result/PlacementFile.hpp"
 
 #include <filesystem>
 #include <map>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "calibration/CalibrationResult.hpp"
+#include "calibration/result/CalibrationResult.hpp"
 #include "data/Board.hpp"
 
 #include <Eigen/Core>

@@ -1,4 +1,4 @@
-#include "commands/ThesisFileOptions.hpp"
+#include "commands/evaluate/ThesisFileOptions.hpp"
 
 #include "console/OutputFiles.hpp"
 

@@ -1,5 +1,5 @@
 #include "commands/Commands.hpp"
-#include "console/PrintText.hpp"
+#include "console/print/PrintText.hpp"
 
 #include "command-line/OptionChecks.hpp"
 #include "data/BoardListFile.hpp"

@@ -1,10 +1,10 @@
-#include "calibration/ResultFile.hpp"
+#include "calibration/result/ResultFile.hpp"
 
 #include "calibration/Calibration.hpp"
 #include "calibration/KnownEffects.hpp"
-#include "calibration/PlacementFile.hpp"
 #include "calibration/ReadingRecords.hpp"
-#include "calibration/Verdict.hpp"
+#include "calibration/result/PlacementFile.hpp"
+#include "calibration/result/Verdict.hpp"
 #include "data/SetSearch.hpp"
 #include "estimation/DriverState.hpp"
 #include "io/FileVersion.hpp"

@@ -1,10 +1,10 @@
 #include "commands/Commands.hpp"
 #include "console/CommandLine.hpp"
 #include "console/OutputFiles.hpp"
-#include "console/PrintCalibration.hpp"
-#include "console/PrintDiagnosis.hpp"
-#include "console/PrintText.hpp"
 #include "console/Progress.hpp"
+#include "console/print/PrintCalibration.hpp"
+#include "console/print/PrintDiagnosis.hpp"
+#include "console/print/PrintText.hpp"
 
 #include "command-line/OptionChecks.hpp"
 #include "data/CaptureSetFile.hpp"

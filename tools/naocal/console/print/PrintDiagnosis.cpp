@@ -1,6 +1,6 @@
-#include "console/PrintDiagnosis.hpp"
+#include "console/print/PrintDiagnosis.hpp"
 
-#include "console/PrintText.hpp"
+#include "console/print/PrintText.hpp"
 #include "diagnosis/DiagnosisWording.hpp"
 #include "math/Angles.hpp"
 

@@ -1,6 +1,6 @@
-#include "console/PrintPlan.hpp"
+#include "console/print/PrintPlan.hpp"
 
-#include "console/PrintText.hpp"
+#include "console/print/PrintText.hpp"
 #include "math/Angles.hpp"
 #include "poses/candidates/BoardPlacement.hpp"
 

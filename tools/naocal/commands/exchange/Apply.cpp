@@ -1,8 +1,8 @@
 #include "commands/Commands.hpp"
 #include "console/OutputFiles.hpp"
-#include "console/PrintText.hpp"
 #include "console/RecordApplied.hpp"
 #include "console/RobotCalibrationFile.hpp"
+#include "console/print/PrintText.hpp"
 
 #include "command-line/OptionChecks.hpp"
 #include "dialects/ModelCalibration.hpp"

@@ -1,4 +1,4 @@
-#include "commands/SimulateRobot.hpp"
+#include "commands/plan/SimulateRobot.hpp"
 
 #include "io/Files.hpp"
 #include "io/Folders.hpp"

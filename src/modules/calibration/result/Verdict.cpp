@@ -1,8 +1,8 @@
-#include "calibration/Verdict.hpp"
+#include "calibration/result/Verdict.hpp"
 
 #include "calibration/Outliers.hpp"
 #include "calibration/Uncertainty.hpp"
-#include "calibration/Wording.hpp"
+#include "calibration/result/Wording.hpp"
 #include "effects/Catalogue.hpp"
 #include "inference/Thresholds.hpp"
 #include "io/Units.hpp"
@@ -83,7 +83,8 @@ HeldOffsets findHeldOffsets(const Measurements& measurements, const Model& model
 ResultVerdict judgeExplained(const Model& model, const CalibrationResult& result, const HeldOffsets& held,
                              bool missing) {
   constexpr double widest = radians(0.5); // [rad]: limit of half an offset's 95 % interval
-  const bool fits = result.misfitLeft < threshold::mostMisfit(result.misfitFreedom) || result.rmsPx < result.noiseFloorPx;
+  const bool fits =
+      result.misfitLeft < threshold::mostMisfit(result.misfitFreedom) || result.rmsPx < result.noiseFloorPx;
   if (!missing && fits && result.noise.pose < suspectScatter) {
     return ResultVerdict::good;
   }
