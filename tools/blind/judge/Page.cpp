@@ -202,9 +202,10 @@ std::string families(const Tally& tally) {
   std::string rows;
   for (const auto& [name, cell] : tally.byFamily) {
     rows += fmt::format("<tr><td>{}</td><td>{}</td><td>{:.0f} %</td><td>{:.0f} %</td><td>{:.0f} %</td><td>{:.0f} %</td>"
-                        "<td>{:.0f} %</td></tr>\n",
+                        "<td>{}</td></tr>\n",
                         escapeHtml(name), cell.detected.all, 100 * cell.detected.rate(), 100 * cell.inClass.rate(),
-                        100 * cell.top3.rate(), 100 * cell.covered.rate(), 100 * cell.errorFell.rate());
+                        100 * cell.top3.rate(), 100 * cell.covered.rate(),
+                        cell.errorFell.all > 0 ? fmt::format("{:.0f} %", 100 * cell.errorFell.rate()) : "not asked");
   }
   return "<h2>By effect, noncentrality 20 and more</h2><table><tr><th>effect</th><th>sets</th><th>detected</th>"
          "<th>right class</th><th>first three</th><th>size covered</th><th>error fell</th></tr>\n" +
@@ -254,7 +255,7 @@ std::string renderEvaluation(const Tally& tally, const std::vector<Case>& cases)
                      "<p>{} robots with sealed truths, {:.2f} s per diagnosis; {} without a verdict.</p>\n{}<div "
                      "class='plots'>{}{}{}{}</div>{}</html>\n",
                      style, tally.sets, tally.seconds.value(), tally.withoutVerdict, figures(tally), falseAlarms(tally),
-                     power(tally), classes(tally), lockedErrors(cases), families(tally));
+                     power(tally), classes(tally), tally.machines ? "" : lockedErrors(cases), families(tally));
 }
 
 } // namespace blind
