@@ -143,6 +143,25 @@ TEST_CASE("a joint that turns the other way and one whose count slipped are susp
   CHECK(written["suspicious"][0]["setUp"] == "countSlip@elbow_flex");
 }
 
+TEST_CASE("two joints whose angles are swapped are a suspected set-up", "[slow]") {
+  // Proves it for a camera beside an arm and for a tracker.
+  const auto folder = sharedData("conformance-robots");
+  if (!folder) {
+    return;
+  }
+  const auto swapped = [&](const std::string& name, std::size_t one, std::size_t other) {
+    return diagnose(spoil(readConformance(*folder, name),
+                          [&](CaptureSet& set) { std::swap(set.jointNames[one], set.jointNames[other]); }));
+  };
+  const Diagnosis beside = swapped("plain-so101-beside", 2, 3), tracker = swapped("plain-ur10-tracker", 1, 2);
+  CHECK(toString(beside.verdict) == "bad-captures");
+  REQUIRE_FALSE(beside.anomalies.empty());
+  CHECK(beside.anomalies.front().why.starts_with("the angles of elbow_flex and wrist_flex are swapped"));
+  CHECK(toString(tracker.verdict) == "bad-captures");
+  REQUIRE_FALSE(tracker.anomalies.empty());
+  CHECK(tracker.anomalies.front().why.starts_with("the angles of shoulder_lift_joint and elbow_joint are swapped"));
+}
+
 TEST_CASE("one bad reading of a tracker is named and moves no offset", "[slow]") {
   // Spoils one of a plain set's readings by 20 mm, as a tracker that takes another mark for its own.
   const auto folder = sharedData("conformance-robots");

@@ -59,6 +59,18 @@ std::vector<CaptureSet> mirrorJoint(std::vector<CaptureSet> sets, const std::str
   return sets;
 }
 
+/// Swaps what two joints read.
+std::vector<CaptureSet> swapJoints(std::vector<CaptureSet> sets, const std::string& one, const std::string& other) {
+  for (CaptureSet& set : sets) {
+    const auto first = std::find(set.jointNames.begin(), set.jointNames.end(), one),
+               second = std::find(set.jointNames.begin(), set.jointNames.end(), other);
+    if (first != set.jointNames.end() && second != set.jointNames.end()) {
+      std::iter_swap(first, second);
+    }
+  }
+  return sets;
+}
+
 std::vector<CaptureSet> swapCameras(std::vector<CaptureSet> sets) {
   for (CaptureSet& set : sets) {
     for (Capture& capture : set.captures) {
@@ -324,6 +336,13 @@ std::optional<DataAnomaly> findSetupError(const Measurements& measurements, cons
     const std::string& name = measurements.robot.joints[joint].name;
     if (misfit.absurd || mayBeMirrored(joint)) {
       consider(mirrorJoint(sets, name), fmt::format("{}'s angles have the wrong sign", name), reversedJoint + name);
+    }
+  }
+  for (std::size_t i = 0; i < measurements.joints.size() && !sets.front().urdf.empty(); ++i) {
+    for (std::size_t j = i + 1; j < measurements.joints.size(); ++j) {
+      const std::string &one = measurements.robot.joints[measurements.joints[i]].name,
+                        &other = measurements.robot.joints[measurements.joints[j]].name;
+      consider(swapJoints(sets, one, other), fmt::format("the angles of {} and {} are swapped", one, other), {});
     }
   }
   if (sets.front().cameras.size() == 2 && sets.front().urdf.empty()) {
