@@ -79,6 +79,7 @@ TEST_CASE("dropped files cannot leave their folder, nor be more or larger than i
     CHECK_THAT(refusal(Json::array({announced(name)})), Contains("expected names within at most 8 folders"));
   }
   CHECK(refusal(Json::array({announced("a/b/c/d/e/f/g/h/i.json")})).empty());
+  CHECK(refusal(Json::array({announced("set/robot.urdf")})).empty());
   CHECK_THAT(refusal(Json::array({announced(std::string(256, 'x') + ".json")})), Contains("expected names"));
   for (const char* const name : {"a.sh", "a", "a.json.exe", ".json"}) {
     CHECK_THAT(refusal(Json::array({announced(name)})), Contains("expected .json files, a .urdf and pictures"));

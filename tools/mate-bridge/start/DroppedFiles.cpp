@@ -33,13 +33,14 @@ void requireName(const std::string& name) {
 
 /// Throws InputError unless the file is a document, a robot's drawing or a picture.
 void requireKind(const std::string& name) {
-  constexpr std::array<std::string_view, 10> kinds{".json", ".urdf", ".png", ".jpg", ".jpeg", ".pgm",
-                                                  ".ppm",  ".bmp", ".tif", ".tiff"};
+  constexpr std::array<std::string_view, 10> kinds{".json", ".urdf", ".png", ".jpg", ".jpeg",
+                                                   ".pgm",  ".ppm",  ".bmp", ".tif", ".tiff"};
   std::string ending = std::filesystem::path{name}.extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
   if (std::find(kinds.begin(), kinds.end(), ending) == kinds.end()) {
-    throw InputError{fmt::format("dropped files: expected .json files, a .urdf and pictures, found \"{}\"; leave it out", name)};
+    throw InputError{
+        fmt::format("dropped files: expected .json files, a .urdf and pictures, found \"{}\"; leave it out", name)};
   }
 }
 
