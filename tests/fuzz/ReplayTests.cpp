@@ -102,6 +102,9 @@ TEST_CASE("random bytes as layers of a configuration are read or refused") {
 TEST_CASE("random bytes as a robot's drawing are read or refused") {
   replay("drawing");
 }
+TEST_CASE("random bytes as a scene of a simulated robot are read or refused") {
+  replay("scene");
+}
 TEST_CASE("random bytes as a URDF are read or refused") {
   replay("urdf");
 }

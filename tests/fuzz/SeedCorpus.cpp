@@ -107,6 +107,19 @@ void writePosesAndDrawings() {
   }
 }
 
+void writeScenes() {
+  writeSeed("scene", "all",
+            R"({"format": "naocal-scene", "version": 1, "base": "base_link", "supportLinks": ["foot"],
+ "cameras": {"side": {"link": "world", "about": {"x": 1.6, "z": 0.4, "roll": -1.57}, "width": 640, "height": 480, "fx": 600,
+  "fy": 600, "cx": 320, "cy": 240, "distortion": [0, 0, 0, 0, 0]}},
+ "boards": [{"id": "badge", "link": "hand", "points": [[0, 0, 0], [0.03, 0, 0], [0, 0.03, 0]], "about": {"z": 0.05}}],
+ "trackers": {"laser": {"sigma": 0.0002, "about": {"x": 2, "z": 1, "yaw": 3.1}}},
+ "markers": [{"id": "ball", "link": "hand", "about": [0.1, 0.05, 0.02]}],
+ "frames": [{"id": "tool", "link": "hand", "placement": {"z": 0.1}}], "slipSteps": {"elbow": 0.3},
+ "ranges": {"elbow": [0.2, 1.5]}, "noise": {"pixel": 0.3, "encoder": 0.0001, "pose": 0}}
+)");
+}
+
 void writeConfigurations() {
   writeSeed("configuration", "two-layers",
             "// for all robots\n{\"factor\": 0.5, \"list\": [1, {\"deep\": 2}], \"a.b\": {\"c\": true}}\n----\n"
@@ -199,6 +212,7 @@ TEST_CASE("the seeds of the corpora are written with the project's own writers",
   writeAnswers(set, robot);
   writeModels();
   writePosesAndDrawings();
+  writeScenes();
   writeConfigurations();
   writeFrames();
   writeBrowsers();

@@ -1,3 +1,4 @@
+#include "io/InputError.hpp"
 #include "robot/SelfCollision.hpp"
 #include "robot/Urdf.hpp"
 
@@ -57,6 +58,16 @@ TEST_CASE("a URDF's spheres, cylinders and boxes are capsules of their size") {
   CHECK(lengthOf(cylinder) == Approx(0.4));
   CHECK(std::abs(cylinder.from.x()) == Approx(0.17));
   CHECK(cylinder.from.z() == Approx(0.2));
+}
+
+TEST_CASE("shapes whose sizes are no numbers are refused") {
+  // Proves it for each shape; the URDF library itself crashes at some of them.
+  for (const char* const shape : {"<sphere radius=\"x\"/>", "<cylinder radius=\"\" length=\"1\"/>",
+                                  "<cylinder radius=\"1\" length=\"1 2\"/>", "<box size=\"1 2\"/>"}) {
+    CHECK_THROWS_AS(
+        parseUrdf(foldingArm(std::string{"<collision><geometry>"} + shape + "</geometry></collision>"), "a"),
+        InputError);
+  }
 }
 
 TEST_CASE("a URDF robot that is folded onto itself collides") {

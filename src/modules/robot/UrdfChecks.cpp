@@ -117,24 +117,13 @@ void checkNumbers(const UrdfText& urdf) {
     const char *element, *attribute;
     std::size_t count;
   };
-  constexpr std::array<Numbers, 18> all{{{"origin", "xyz", 3},
-                                         {"origin", "rpy", 3},
-                                         {"axis", "xyz", 3},
-                                         {"mass", "value", 1},
-                                         {"inertia", "ixx", 1},
-                                         {"inertia", "ixy", 1},
-                                         {"inertia", "ixz", 1},
-                                         {"inertia", "iyy", 1},
-                                         {"inertia", "iyz", 1},
-                                         {"inertia", "izz", 1},
-                                         {"limit", "lower", 1},
-                                         {"limit", "upper", 1},
-                                         {"limit", "velocity", 1},
-                                         {"limit", "effort", 1},
-                                         {"mimic", "multiplier", 1},
-                                         {"mimic", "offset", 1},
-                                         {"dynamics", "damping", 1},
-                                         {"dynamics", "friction", 1}}};
+  constexpr std::array<Numbers, 22> all{
+      {{"origin", "xyz", 3},       {"origin", "rpy", 3},       {"axis", "xyz", 3},         {"mass", "value", 1},
+       {"inertia", "ixx", 1},      {"inertia", "ixy", 1},      {"inertia", "ixz", 1},      {"inertia", "iyy", 1},
+       {"inertia", "iyz", 1},      {"inertia", "izz", 1},      {"limit", "lower", 1},      {"limit", "upper", 1},
+       {"limit", "velocity", 1},   {"limit", "effort", 1},     {"box", "size", 3},         {"cylinder", "radius", 1},
+       {"cylinder", "length", 1},  {"sphere", "radius", 1},    {"mimic", "multiplier", 1}, {"mimic", "offset", 1},
+       {"dynamics", "damping", 1}, {"dynamics", "friction", 1}}};
   visitElements(*urdf.document.RootElement(), [&](const TiXmlElement& element) {
     for (const Numbers& numbers : all) {
       if (element.Value() == std::string_view{numbers.element}) {

@@ -152,8 +152,12 @@ CaptureSet makeRobotOnly(const std::string& robot, SupportFoot foot) {
 }
 
 RobotScene readRobotScene(const std::filesystem::path& file, const CaptureSet& robotOnly) {
-  const json written = parseJson(readFile(file), file.string());
-  const JsonCursor top{written, file.string()};
+  return parseRobotScene(readFile(file), file.string(), robotOnly);
+}
+
+RobotScene parseRobotScene(const std::string& text, const std::string& name, const CaptureSet& robotOnly) {
+  const json written = parseJson(text, name);
+  const JsonCursor top{written, name};
   requireFormat(top, "naocal-scene");
   for (const char* const key : {"captures", "places", "distances"}) {
     if (const auto found = top.find(key)) {
@@ -162,7 +166,7 @@ RobotScene readRobotScene(const std::filesystem::path& file, const CaptureSet& r
     }
   }
   RobotScene scene;
-  scene.set = parseCaptureSet(asCaptureSet(written, robotOnly).dump(), file.string()).set;
+  scene.set = parseCaptureSet(asCaptureSet(written, robotOnly).dump(), name).set;
   scene.set.source = nullptr;
   scene.set.name = robotOnly.name;
   scene.set.folder = robotOnly.folder;

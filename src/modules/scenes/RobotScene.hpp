@@ -39,6 +39,9 @@ CaptureSet makeRobotOnly(const std::string& robot, SupportFoot foot);
 /// `supportLinks`, `ranges` (of joints), `noise`.
 RobotScene readRobotScene(const std::filesystem::path& file, const CaptureSet& robotOnly);
 
+/// `name`: the file's, for error messages.
+RobotScene parseRobotScene(const std::string& text, const std::string& name, const CaptureSet& robotOnly);
+
 /// A scene for a robot without a scene file. A model that stands on its feet: four boards on the floor, seen by its
 /// cameras. A URDF with a link that looks like a camera's optical frame and moves: a board on the floor, where the
 /// camera sees it most often. Any other: a tracker that sees a marker on the last link.
