@@ -252,8 +252,8 @@ long slippedTurns(const std::vector<CaptureSet>& sets, const Robot& robot, const
 
 } // namespace
 
-void mendSetUps(std::vector<std::string>& with, const Robot& robot, std::vector<CaptureSet>& sets) {
-  std::vector<std::string> rest;
+std::vector<std::string> mendSetUps(std::vector<std::string>& with, const Robot& robot, std::vector<CaptureSet>& sets) {
+  std::vector<std::string> rest, mended;
   for (const std::string& label : with) {
     const std::string joint = label.substr(std::min(label.find('@'), label.size() - 1) + 1);
     const bool isReversed = label.starts_with(reversedJoint), isSlipped = label.starts_with(countSlip);
@@ -275,8 +275,10 @@ void mendSetUps(std::vector<std::string>& with, const Robot& robot, std::vector<
                                    "found none",
                                    label, joint)};
     }
+    mended.push_back(label);
   }
   with = std::move(rest);
+  return mended;
 }
 
 std::vector<DataAnomaly> findSlippedCounts(const FittedModel& fitted) {

@@ -5,6 +5,8 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace naocal {
 
@@ -13,8 +15,8 @@ inline constexpr char reversedJoint[] = "reversedJoint@", countSlip[] = "countSl
 
 /// Takes the labels of wrong set-ups out of `with` and mends the sets accordingly: the angles of a reversed joint
 /// change their sign; the zero of a joint whose count slipped is shifted by the whole motor turns (`slipSteps`) that a
-/// first fit finds. Throws InputError for a joint that the sets do not have.
-void mendSetUps(std::vector<std::string>& with, const Robot& robot, std::vector<CaptureSet>& sets);
+/// first fit finds. Returns these labels. Throws InputError for a joint that the sets do not have.
+std::vector<std::string> mendSetUps(std::vector<std::string>& with, const Robot& robot, std::vector<CaptureSet>& sets);
 
 /// Joints whose fitted offset lies nearer to a whole number of motor turns, not zero, than to zero.
 std::vector<DataAnomaly> findSlippedCounts(const FittedModel& fitted);

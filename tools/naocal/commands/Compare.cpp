@@ -5,6 +5,7 @@
 
 #include "calibration/Prediction.hpp"
 #include "command-line/OptionChecks.hpp"
+#include "diagnosis/SetUps.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
@@ -36,8 +37,9 @@ Versus compareTwo(const StoredResult& result, const StoredResult& other, const L
 }
 
 void compareSets(const CompareCommand& command) {
-  const StoredResult result = readResult(command.result);
-  const LoadedSets given = loadSets(command.sets, command.skipBad);
+  StoredResult result = readResult(command.result);
+  LoadedSets given = loadSets(command.sets, command.skipBad);
+  mendSetUps(result.inputs.setUps, given.robot, given.sets);
   const Comparison comparison = compare(result, given.sets, given.robot, command.samePlace);
   nlohmann::json json = comparisonJson(comparison);
   std::optional<Versus> versus;

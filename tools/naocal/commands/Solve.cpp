@@ -56,7 +56,7 @@ int solve(SolveCommand& command) {
   command.options.estimateNoise = !command.fixedNoise;
   command.options.robust = !command.plain;
   LoadedSets given = loadSets(command.sets, command.skipBad);
-  mendSetUps(command.with, given.robot, given.sets);
+  given.inputs.setUps = mendSetUps(command.with, given.robot, given.sets);
   const Measurements measurements = buildMeasurements(std::move(given.sets), given.robot, command.samePlace);
   const Model model = askedModel(command, measurements);
   if (!command.start.empty()) {

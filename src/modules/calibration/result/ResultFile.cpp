@@ -237,6 +237,9 @@ json toJson(const ResultSources& sources) {
   if (!sources.names.empty()) {
     inputs["names"] = sources.names;
   }
+  if (!sources.setUps.empty()) {
+    inputs["setUps"] = sources.setUps;
+  }
   return inputs;
 }
 
@@ -254,7 +257,8 @@ StoredResult parseResult(const json& all, const std::string& name) {
     if (all.contains("inputs")) {
       result.inputs = {all["inputs"].value("sets", std::vector<std::string>{}),
                        all["inputs"].value("sha256", std::vector<std::string>{}),
-                       all["inputs"].value("names", std::vector<std::string>{})};
+                       all["inputs"].value("names", std::vector<std::string>{}),
+                       all["inputs"].value("setUps", std::vector<std::string>{})};
     }
     if (all.contains("model") && all["model"].contains("define")) {
       result.definitions = all["model"]["define"].dump();

@@ -13,9 +13,10 @@ namespace naocal {
 
 /// Input files of a result.
 struct ResultSources {
-  std::vector<std::string> sets;       // folders; in a file relative to its own folder where they lie near it
-  std::vector<std::string> sha256;     // of each set's captures.json
-  std::vector<std::string> names = {}; // of the sets when they were read; empty: those of the folders
+  std::vector<std::string> sets;        // folders; in a file relative to its own folder where they lie near it
+  std::vector<std::string> sha256;      // of each set's captures.json
+  std::vector<std::string> names = {};  // of the sets when they were read; empty: those of the folders
+  std::vector<std::string> setUps = {}; // wrong set-ups that were mended before the fit: "reversedJoint@elbow"
 
   /// Adds a capture set's folder as an absolute path. Throws InputError if it contains no captures.json.
   void add(const std::filesystem::path& folder);
@@ -23,7 +24,7 @@ struct ResultSources {
   /// The same as a file should name them (`placeFrom`); unchanged for "-" and "".
   ResultSources placedBeside(const std::filesystem::path& file) const;
 };
-/// {"sets": [folders], "sha256": [..], "names": [..]}
+/// {"sets": [folders], "sha256": [..], "names": [..], "setUps": [..]}, the last where there are some
 nlohmann::json toJson(const ResultSources& sources);
 
 /// RESULT.json: estimates with uncertainty, assumptions, and the prediction of every corner for reports.
