@@ -59,6 +59,24 @@ TEST_CASE("an eye beside a hand and points on it are found from the points' posi
   }
 }
 
+TEST_CASE("a point on a hand that turns about two axes that meet is found with the eye that sees it") {
+  // Proves it where the point at which the axes meet would fit with any eye: a positioner before a tracker.
+  const RigidTransform worldFromEye{rotationZ(2.1) * rotationY(-0.3) * rotationX(0.4), {1.5, -2, 0.7}};
+  const Eigen::Vector3d point{0.08, -0.12, 0.15};
+  std::vector<SeenPoint> seen;
+  for (int i = 0; i < 30; ++i) {
+    const RigidTransform hand{rotationZ(0.4 * i) * rotationX(std::sin(1.7 * i)), {0, 0, 0.5}};
+    seen.push_back({hand, 0, worldFromEye.inverse() * (hand * point)});
+  }
+  const PointRegistration found = registerPoints(seen, 1);
+  double most = 0;
+  for (const SeenPoint& one : seen) {
+    most = std::max(most, (found.worldFromEye * one.inEye - one.worldFromHand * found.inHand[0]).norm());
+  }
+  CHECK(most < 1e-3);
+  CHECK((found.inHand[0] - point).norm() < 1e-2);
+}
+
 TEST_CASE("a rotation is the product of its turns about x, y and z") {
   // Proves the angles within a quarter turn about y.
   const Eigen::Vector3d turns{0.4, -1.2, 2.5};

@@ -120,6 +120,22 @@ Prediction preparePrediction(const Model& model, const StoredResult& result, con
   return all;
 }
 
+/// The same with the robot's drawing alone. Where no placement can be estimated from that, the search starts at those
+/// of the result.
+PlainResiduals plainResidualsAsDrawn(const Measurements& measurements, const Prediction& prediction, bool samePlace) {
+  Prediction drawn = preparePrediction(prediction.model, StoredResult{}, measurements, samePlace);
+  try {
+    return plainResiduals(measurements, drawn);
+  } catch (const InputError&) {
+    for (std::size_t i = 0; i < drawn.free.size(); ++i) {
+      if (drawn.free[i]) {
+        drawn.unknowns[static_cast<Eigen::Index>(i)] = prediction.unknowns[static_cast<Eigen::Index>(i)];
+      }
+    }
+    return plainResiduals(measurements, drawn);
+  }
+}
+
 } // namespace
 
 StoredResult readKnownResult(const std::filesystem::path& file) {
@@ -168,8 +184,7 @@ Comparison compare(const StoredResult& result, const std::vector<CaptureSet>& se
       byPose[measurements.captureOf(picture).pose].push_back(distance);
     }
   }
-  const Prediction drawn = preparePrediction(prediction.model, StoredResult{}, measurements, samePlace);
-  const PlainResiduals drawnErrors = plainResiduals(measurements, drawn);
+  const PlainResiduals drawnErrors = plainResidualsAsDrawn(measurements, prediction, samePlace);
   comparison.nominalReadings = summarizeReadings(drawnErrors.readings);
   for (const BoardResidual& seen : drawnErrors.boards) {
     for (Eigen::Index i = 0; i < seen.residual.cols(); ++i) {

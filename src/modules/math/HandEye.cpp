@@ -2,10 +2,13 @@
 
 #include "math/LinearAlgebra.hpp"
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <Eigen/QR>
 #include <Eigen/SVD>
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace naocal {
 
@@ -69,7 +72,10 @@ HandEye solveHandEye(const std::vector<RigidTransform>& worldFromHand,
   return result;
 }
 
-PointRegistration registerPoints(const std::vector<SeenPoint>& seen, std::size_t points) {
+namespace {
+
+/// Linear least squares in the nine numbers of the rotation, which is then made orthonormal, and again for the rest.
+PointRegistration registerLinearly(const std::vector<SeenPoint>& seen, std::size_t points) {
   PointRegistration result;
   LinearSystem all{seen.size(), 12 + 3 * eigenIndex(points)};
   for (std::size_t i = 0; i < seen.size(); ++i) {
@@ -94,6 +100,73 @@ PointRegistration registerPoints(const std::vector<SeenPoint>& seen, std::size_t
     result.inHand.emplace_back(second.segment<3>(3 + 3 * eigenIndex(point)));
   }
   return result;
+}
+
+/// Sum of squared distances.
+double misfitOf(const PointRegistration& found, const std::vector<SeenPoint>& seen) {
+  double sum = 0;
+  for (const SeenPoint& one : seen) {
+    sum += (found.worldFromEye * one.inEye - one.worldFromHand * found.inHand[one.point]).squaredNorm();
+  }
+  return sum;
+}
+
+/// Alternates the best eye for these points (Umeyama, IEEE PAMI 13 (1991) 376) and the best points for this eye.
+PointRegistration alternateFrom(std::vector<Eigen::Vector3d> inHand, const std::vector<SeenPoint>& seen, int steps) {
+  PointRegistration found{{}, std::move(inHand)};
+  Eigen::Matrix3Xd inEye(3, eigenIndex(seen.size())), inWorld = inEye;
+  std::vector<double> counts(found.inHand.size(), 0);
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    inEye.col(eigenIndex(i)) = seen[i].inEye;
+    counts[seen[i].point] += 1;
+  }
+  for (int step = 0; step < steps; ++step) {
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+      inWorld.col(eigenIndex(i)) = seen[i].worldFromHand * found.inHand[seen[i].point];
+    }
+    const Eigen::Matrix4d eye = Eigen::umeyama(inEye, inWorld, false);
+    found.worldFromEye = {eye.topLeftCorner<3, 3>(), eye.topRightCorner<3, 1>()};
+    std::vector<Eigen::Vector3d> sums(counts.size(), Eigen::Vector3d::Zero());
+    for (const SeenPoint& one : seen) {
+      sums[one.point] += one.worldFromHand.inverse() * (found.worldFromEye * one.inEye);
+    }
+    for (std::size_t point = 0; point < sums.size(); ++point) {
+      found.inHand[point] = counts[point] > 0 ? Eigen::Vector3d{sums[point] / counts[point]} : found.inHand[point];
+    }
+  }
+  return found;
+}
+
+/// At most `most` of the points, evenly spread.
+std::vector<SeenPoint> thinOut(const std::vector<SeenPoint>& seen, std::size_t most) {
+  std::vector<SeenPoint> result;
+  const std::size_t step = (seen.size() + most - 1) / most;
+  for (std::size_t i = 0; i < seen.size(); i += std::max<std::size_t>(step, 1)) {
+    result.push_back(seen[i]);
+  }
+  return result;
+}
+
+} // namespace
+
+PointRegistration registerPoints(const std::vector<SeenPoint>& seen, std::size_t points) {
+  constexpr int tries = 40, steps = 200;
+  constexpr std::size_t most = 200;
+  const std::vector<SeenPoint> some = thinOut(seen, most);
+  const PointRegistration linear = registerLinearly(seen, points);
+  std::vector<PointRegistration> starts{linear, alternateFrom(linear.inHand, some, tries)};
+  for (const double distance : {0.1, 0.4}) {
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+      for (const double sign : {-1.0, 1.0}) {
+        const Eigen::Vector3d there = sign * distance * Eigen::Vector3d::Unit(axis);
+        starts.push_back(alternateFrom(std::vector<Eigen::Vector3d>(points, there), some, tries));
+      }
+    }
+  }
+  const auto best = std::min_element(starts.begin(), starts.end(), [&](const auto& one, const auto& other) {
+    return misfitOf(one, some) < misfitOf(other, some);
+  });
+  return best == starts.begin() ? linear : alternateFrom(best->inHand, some, steps);
 }
 
 } // namespace naocal

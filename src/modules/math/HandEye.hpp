@@ -33,8 +33,10 @@ struct PointRegistration {
   std::vector<Eigen::Vector3d> inHand;
 };
 
-/// Solves worldFromEye * inEye = worldFromHand * inHand for the eye and the points: linear least squares in the nine
-/// numbers of the rotation, which is then made orthonormal, and again for the rest. Shortest where undetermined.
+/// Solves worldFromEye * inEye = worldFromHand * inHand for the eye and the points: linear least squares, or the best
+/// of several searches that alternate between eye and points. The linear one is exact for readings without error, but
+/// where the hand turns about two axes that meet, a point where they meet fits with any eye. Shortest where
+/// undetermined.
 PointRegistration registerPoints(const std::vector<SeenPoint>& seen, std::size_t points);
 
 /// The rotation nearest to a matrix (Frobenius norm).

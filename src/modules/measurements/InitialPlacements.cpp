@@ -165,7 +165,9 @@ private:
   void placePair(std::size_t camera, std::size_t board, const Poses& worldFromHand, const Poses& opticalFromBoard) {
     CameraMount& mount = measurements_.robot.cameras[camera];
     const ModelState still{measurements_.quantities};
-    const bool isCameraPlaced = !measurements_.isCameraUnknown(camera) || cameras_.contains(camera);
+    const auto mounting = measurements_.sets->front().mountings.find(mount.name);
+    const bool isGuessed = mounting != measurements_.sets->front().mountings.end() && mounting->second.guess;
+    const bool isCameraPlaced = isGuessed || !measurements_.isCameraUnknown(camera) || cameras_.contains(camera);
     if (isCameraPlaced && isPlaced(board)) {
       return;
     }

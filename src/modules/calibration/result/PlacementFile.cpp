@@ -102,7 +102,7 @@ SixNumbers mountNumbers(const Measurements& measurements, std::size_t camera, co
   const bool isOptical = measurements.sets->front().mountings.at(mount.name).isOptical;
   RigidTransform worldFromCamera = transformFromPlacement(placement.numbers());
   if (isOptical) {
-    worldFromCamera.rotation *= Eigen::Matrix3d{{0, -1, 0}, {0, 0, -1}, {1, 0, 0}};
+    worldFromCamera.rotation *= opticalFromCamera();
   }
   SixNumbers numbers;
   numbers << worldFromCamera.translation - mount.translation,
