@@ -14,7 +14,7 @@ import {legendOf, readingTip} from "naocal/plots/reading-dots.js";
 /** The planes, by the axes to the right and up. */
 const planes = [{name: "from above", axes: [0, 1]}, {name: "from the front", axes: [1, 2]}, {name: "from the side", axes: [0, 2]}];
 
-const millimetre = 1e-3, mostEnlarged = 100000, gap = 46, top = 26, bottom = 30, legend = 26; // [px] but for the first two
+const millimetre = 1e-3, mostEnlarged = 100000, gap = 46, top = 40, bottom = 30, legend = 26; // [px] but for the first two
 const margin = 40; // around the readings, for their arrows [px]
 
 /**
@@ -62,7 +62,8 @@ function drawPlane(context, box, {name, axes: [across, up]}, ranges) {
   }
   context.textAlign = "left";
   context.textBaseline = "top";
-  context.fillText(name + ": " + axisNames[across] + " →, " + axisNames[up] + " ↑ [m]", box.left, box.top - 18);
+  context.fillText(name, box.left, box.top - 34); // two lines fit over the narrowest plane
+  context.fillText(axisNames[across] + " →, " + axisNames[up] + " ↑ [m]", box.left, box.top - 18);
   return {x, y};
 }
 
