@@ -81,24 +81,6 @@ TEST_CASE("a table's pictures are copied into the set, with lens and mount") {
   CHECK_THROWS_WITH(writeImport(result.imported, folder.path() / "set"), Catch::Contains("a new or an empty folder"));
 }
 
-TEST_CASE("rows at rest are repeats of one pose, also where their last digits differ") {
-  // Encoders of a standing robot flicker by a few steps.
-  const TableImport result = import("q1,q2,q3,x,y,z\n"
-                                    "90,20.00,0.1,1,0,0\n"
-                                    "90.01,19.98,0.1,1,0,0\n"
-                                    "90.01,19.98,0.1,1,0,0\n"
-                                    "90.01,20.50,0.1,1,0,0\n");
-  const std::vector<Capture>& captures = result.imported.set.captures;
-  REQUIRE(captures.size() == 4);
-  CHECK(captures[1].pose == captures[0].pose);
-  CHECK(captures[1].repeat == 1);
-  CHECK(captures[1].repeatKind == RepeatKind::rest);
-  CHECK(captures[2].pose == captures[0].pose);
-  CHECK(captures[2].repeat == 1); // one reading, pictured twice
-  CHECK(captures[3].pose != captures[0].pose);
-  CHECK(captures[3].repeat == 0);
-}
-
 TEST_CASE("a table's bad cells are refused with row and column") {
   struct Broken {
     std::string text, sentence;

@@ -17,7 +17,6 @@ namespace {
 
 constexpr double largestAngle = 4 * std::numbers::pi; // of a joint with limits [rad]
 constexpr double largestDistance = 1000;              // from a tracker [m]
-constexpr double restTravel = 0.004;                  // of readings at rest, as in RestOptions [rad], [m]
 constexpr double quaternionTolerance = 0.01;          // of its length
 
 /// Columns of a recorded joint.
@@ -168,16 +167,13 @@ private:
   }
 
   void readPose(std::size_t row, const std::vector<Capture>& before, Capture& capture) {
-    const auto isWithin = [&](double travel, const Capture& other) {
-      return std::equal(
-          capture.joints.measured.begin(), capture.joints.measured.end(), other.joints.measured.begin(),
-          [&](double a, double b) { return std::abs(a - b) <= travel || (std::isnan(a) && std::isnan(b)); });
+    const auto isSame = [&](const Capture& other) {
+      return std::equal(capture.joints.measured.begin(), capture.joints.measured.end(), other.joints.measured.begin(),
+                        [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); });
     };
-    const bool isAsBefore = !before.empty() && isWithin(0, before.back());
+    const bool isAsBefore = !before.empty() && isSame(before.back());
     if (!map_.pose) {
-      const bool isAtRest = !before.empty() && isWithin(restTravel, before.back());
-      capture.pose = isAtRest ? before.back().pose : poseName(poses_++);
-      capture.repeat = isAtRest ? before.back().repeat + (isAsBefore ? 0 : 1) : 0;
+      capture.pose = isAsBefore ? before.back().pose : poseName(poses_++);
       return;
     }
     capture.pose = table_.text(row, table_.column(*map_.pose));

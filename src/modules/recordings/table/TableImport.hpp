@@ -16,9 +16,9 @@ struct TableImport {
 
 /// One capture for each row with a picture, a measured point or a measured frame.
 ///
-/// Without a column for poses, neighbouring rows whose readings differ by at most 0.004 rad or m are one pose. A pose's
-/// rows are repeats of it where there is no column for repeats: a new one whenever the angles differ from those of the
-/// row before. Pictures are looked for in `pictures`.
+/// Without a column for poses, neighbouring rows with equal angles are one pose, and every other row has its own; with
+/// one, a pose's rows are repeats of it where it has no column for repeats: a new one whenever the angles differ from
+/// those of the row before. Pictures are looked for in `pictures`.
 ///
 /// Throws InputError with table, row, column, expected and found: missing columns, cells that are no numbers, angles
 /// beyond two turns of a limited joint in radians (degrees?), positions beyond 1 km, positions of which a coordinate is
