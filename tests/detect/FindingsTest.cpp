@@ -146,6 +146,31 @@ TEST_CASE("a board in the other pattern is named and not measured") {
   }
 }
 
+// Proves that with an odd number of columns, where the other layout fits nearly all markers one column aside, the
+// layout that fits all of them is found, from any side.
+TEST_CASE("the layout of a board with even rows and odd columns is not confused") {
+  const CameraIntrinsics camera = plainCamera(1280);
+  for (const bool legacy : {false, true}) {
+    CharucoPattern printed;
+    printed.squaresX = 9;
+    printed.squaresY = 6;
+    printed.squareLength = 0.05;
+    printed.markerLength = 0.037;
+    printed.legacyPattern = legacy;
+    CharucoPattern stated = printed;
+    stated.legacyPattern = !legacy;
+    for (int view = 0; view < 12; ++view) {
+      CAPTURE(legacy, view);
+      const RenderedBoard board = boardOnFloor(printed, 0.6, 30. * view);
+      const GreyPicture picture = Renderer{camera}.render({{board}, {}}, {}, std::uint64_t(view));
+      CHECK(contains(detectBoards(picture, {described("A", stated)}, camera), IssueKind::wrongPattern));
+      const Detection right = detectBoards(picture, {described("A", printed)}, camera);
+      REQUIRE(right.boards.size() == 1);
+      CHECK(right.boards[0].ids.size() == 40);
+    }
+  }
+}
+
 // Proves that for odd row counts, where both patterns are identical, the `legacyPattern` flag has no effect.
 TEST_CASE("a board with an odd number of rows has only one pattern") {
   CharucoPattern stated;

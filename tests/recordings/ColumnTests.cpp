@@ -55,6 +55,13 @@ TEST_CASE("numbered columns are the joints in the URDF's order, and large angles
   }
 }
 
+TEST_CASE("a column of picture names is found whatever it is called") {
+  const ColumnGuess all = guess("A1,A2,A3,note,photo\n10,20,30,a.png too dark,\n10,20,30,,shots/b.JPG\n");
+  CHECK(all.map.image == "photo");
+  CHECK(all.unused == std::vector<std::string>{"note"});
+  CHECK_FALSE(guess("A1,A2,A3,photo\n10,20,30,\n").map.image);
+}
+
 TEST_CASE("a table without joints is refused with the names of both sides") {
   CHECK_THROWS_WITH(guess("t,x\n1,2\n"), Catch::Contains("shoulder_pan") && Catch::Contains("found t, x"));
 }

@@ -52,7 +52,7 @@ public:
     other.legacyPattern = !pattern_.legacyPattern;
     const auto asStated = search(markers, pattern_);
     const auto asOther = pattern_.squaresY % 2 == 0 ? search(markers, other) : std::nullopt;
-    if (asOther && (!asStated || asOther->likeness > asStated->likeness)) {
+    if (asOther && (!asStated || asOther->explainsBetterThan(*asStated))) {
       add(IssueKind::wrongPattern,
           fmt::format("board {} is printed in the {} pattern for even row counts: set its \"legacyPattern\" to {}",
                       board_.id, other.legacyPattern ? "legacy (OpenCV before 4.6)" : "current (OpenCV 4.6 and later)",
@@ -67,7 +67,14 @@ public:
 private:
   struct Candidate {
     BoardSearchResult board;
-    double likeness = 0; // correlation with the markers' print
+    std::size_t agreeing = 0; // markers that lie as in this layout
+    double likeness = 0;      // correlation with the markers' print
+
+    /// By markers first: with an odd number of columns the other layout, one column aside, has all markers at their
+    /// places but those at the rows' ends, and its print looks alike.
+    bool explainsBetterThan(const Candidate& other) const {
+      return agreeing != other.agreeing ? agreeing > other.agreeing : likeness > other.likeness;
+    }
   };
 
   std::size_t requiredCorners() const {
@@ -87,7 +94,7 @@ private:
       if (board.corners.size() >= requiredCorners()) {
         const double likeness = printCorrelation(picture_, lens_, pattern, board.corners);
         if (likeness >= leastLikeness) {
-          return Candidate{board, likeness};
+          return Candidate{board, agreement.agreeing.size(), likeness};
         }
       }
       markers = agreement.others;

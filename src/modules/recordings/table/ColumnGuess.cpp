@@ -82,6 +82,12 @@ std::optional<int> jointNumber(const NamedColumn& column) {
   return std::stoi(number);
 }
 
+bool isPictureName(const std::string& cell) {
+  static const std::set<std::string> usual{"png", "jpg", "jpeg"};
+  const std::vector<std::string> words = wordsOf(cell);
+  return words.size() > 1 && usual.contains(words.back());
+}
+
 /// Of times since 1970, or since a start within the last months.
 std::string timeUnitOf(double largest) {
   return largest > 1e17 ? "ns" : largest > 1e14 ? "us" : largest > 1e11 ? "ms" : "s";
@@ -266,9 +272,37 @@ private:
     return std::nullopt;
   }
 
+  /// The first free column that names pictures, whatever it is called.
+  std::optional<std::string> takePictures() {
+    for (const NamedColumn& column : columns_) {
+      if (!used_.contains(column.name) && namesPictures(column.name)) {
+        used_.insert(column.name);
+        return column.name;
+      }
+    }
+    return std::nullopt;
+  }
+
+  /// Whether all cells but empty ones, and at least one, are names of picture files.
+  bool namesPictures(const std::string& name) const {
+    const std::size_t column = table_.column(name);
+    std::size_t pictures = 0;
+    for (std::size_t row = 0; row < table_.rows(); ++row) {
+      const std::string& cell = table_.text(row, column);
+      if (!cell.empty() && !isPictureName(cell)) {
+        return false;
+      }
+      pictures += cell.empty() ? 0 : 1;
+    }
+    return pictures > 0;
+  }
+
   void guessOthers() {
     map_.image =
         take({"image", "img", "picture", "file", "filename", "file_name", "image_file", "image_name", "frame"});
+    if (!map_.image) {
+      map_.image = takePictures();
+    }
     map_.time = take({"t", "time", "timestamp", "stamp", "seconds"});
     if (map_.time) {
       const std::string unit = nameColumn(*map_.time).unit;

@@ -80,8 +80,9 @@ void importTableCommand(const TableCommand& command) {
     const ColumnGuess guess = guessColumns(table, scene.robot);
     map = guess.map;
     printText(
-        "columns as guessed from their names; correct them in {}/columns.json and give that with --columns:\n{}\n",
-        command.scene.output, columnMapJson(map).dump(2));
+        "columns as guessed; where they are wrong, save these lines as columns.json, correct them and import again "
+        "with --columns columns.json:\n{}\n",
+        columnMapJson(map).dump(2));
     if (!guess.unused.empty()) {
       printText("not used: {}\n", fmt::format("{}", fmt::join(guess.unused, ", ")));
     }
@@ -142,7 +143,7 @@ void addTableImport(CLI::App& importer) {
       ->required()
       ->check(existingFile());
   app->add_option("--columns", command->columns,
-                  "file that says what the columns are; otherwise guessed from their names, shown and saved")
+                  "file that says what the columns are; otherwise guessed, shown and saved")
       ->type_name("COLUMNS.json")
       ->check(existingFile());
   app->add_option("--pictures", command->pictures, "folder of the pictures that the table names; otherwise the table's")

@@ -187,7 +187,7 @@ void BoardCommand::run() const {
   if (!boardsFile.empty()) {
     const auto read = isThere ? readBoardList(boardsFile).source : nullptr;
     writeJson(printedBoardsJson(boards, read), boardsFile);
-    printText("{} holds the boards: give it to poses, simulate and naocal-robot with --boards\n", boardsFile);
+    printText("{} holds the boards: give it to import, poses, simulate and naocal-robot with --boards\n", boardsFile);
   }
 }
 
