@@ -141,6 +141,9 @@ json calibrationJson(const RobotCalibration& calibration) {
     }
   }
   json all = withFormat(calibrationFormat, {{"offsets", calibration.offsets}, {"cameras", std::move(cameras)}});
+  if (!calibration.robot.empty()) {
+    all["robot"] = calibration.robot;
+  }
   if (!calibration.headId.empty()) {
     all["headId"] = calibration.headId;
   }
@@ -158,9 +161,11 @@ RobotCalibration parseCalibration(const json& document, const std::string& name)
   requireVersion(all);
   constexpr Range angle{-3.2, 3.2, "rad"};
   RobotCalibration calibration;
+  const auto robot = all.find("robot");
+  calibration.robot = robot ? robot->text() : "";
   const auto known = offsetJoints();
   for (const auto& [joint, offset] : all.at("offsets").members()) {
-    if (std::find(known.begin(), known.end(), joint) == known.end()) {
+    if (!robot && std::find(known.begin(), known.end(), joint) == known.end()) {
       offset.refuse("an offset of one of HULKs' joints, such as LKneePitch", joint);
     }
     calibration.offsets[joint] = offset.number(angle);

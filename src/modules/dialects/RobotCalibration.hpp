@@ -22,9 +22,10 @@ struct CameraCalibration {
 /// A robot's calibration as configuration files hold it: one constant per joint, mounts and lenses. The common value of
 /// all dialects.
 struct RobotCalibration {
-  std::map<std::string, double> offsets;            // by HULKs' joint name: encoder reading minus true angle [rad]
-  std::map<std::string, CameraCalibration> cameras; // "top", "bottom"
+  std::map<std::string, double> offsets;            // by joint (a NAO's: HULKs' names): reading minus true angle [rad]
+  std::map<std::string, CameraCalibration> cameras; // of a NAO: "top", "bottom"
   std::string headId, bodyId;                       // serial numbers; empty: unknown
+  std::string robot = "";                           // other than a NAO: its name
 };
 
 /// Names of the joints that have an offset of their own, in HULKs' order: all but hands, which have no angle, and the

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 #include <yaml-cpp/yaml.h>
@@ -16,6 +17,9 @@ public:
   YamlCursor at(const std::string& key) const; // throws without the key
   std::vector<std::pair<std::string, YamlCursor>> members() const;
   std::vector<YamlCursor> elements() const;
+
+  /// Where the value's text begins [bytes].
+  std::size_t position() const { return static_cast<std::size_t>(std::max(node_.Mark().pos, 0)); }
 
   std::string text() const;
   int integer(int lowest, int highest) const;
