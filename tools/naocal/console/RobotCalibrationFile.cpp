@@ -167,6 +167,10 @@ LoadedCalibration loadCalibration(const std::string& file, const PostureOptions&
   if (document.is_object() && document.value("format", nlohmann::json{}) == "naocal-calibration") {
     LoadedCalibration loaded;
     loaded.calibration = parseCalibration(document, file);
+    if (!loaded.calibration.robot.empty()) {
+      throw InputError{fmt::format("{}: expected the calibration of a NAO, found one of another robot ({})", file,
+                                   loaded.calibration.robot)};
+    }
     loaded.robot = loadRobot(configurationDirectory(), "V6");
     return loaded;
   }

@@ -1,10 +1,12 @@
 #include "commands/Commands.hpp"
+#include "console/HeadExport.hpp"
 #include "console/RobotCalibrationFile.hpp"
 #include "console/UrdfExport.hpp"
 #include "console/print/PrintText.hpp"
 
 #include "command-line/OptionChecks.hpp"
 #include "dialects/Dialects.hpp"
+#include "dialects/heads/HeadDialects.hpp"
 #include "io/Files.hpp"
 #include "io/Folders.hpp"
 #include "io/InputError.hpp"
@@ -22,7 +24,7 @@ namespace naocal {
 namespace {
 
 struct ExportCommand {
-  std::string result, dialect, output;
+  std::string result, dialect, output, camera;
   PostureOptions posture;
 };
 
@@ -91,13 +93,20 @@ std::string dialectHelp() {
   for (const Dialect& dialect : dialects()) {
     text += fmt::format("\n  {:<14} {}", dialect.name, dialect.what);
   }
-  return text +
-         fmt::format("\n  {:<14} {}", urdfDialect, "the URDF with corrected joint origins, and the offsets as YAML");
+  text += fmt::format("\n  {:<14} {}", urdfDialect, "the URDF with corrected joint origins, and the offsets as YAML");
+  text += "\nThe direction of a head's camera, changed in the other program's file (-o FILE):";
+  for (const HeadDialect& dialect : headDialects()) {
+    text += fmt::format("\n  {:<14} {}", dialect.name, dialect.what);
+  }
+  return text;
 }
 
 std::vector<std::string> exportNames() {
   std::vector<std::string> names = dialectNames();
   names.emplace_back(urdfDialect);
+  for (const HeadDialect& dialect : headDialects()) {
+    names.emplace_back(dialect.name);
+  }
   return names;
 }
 
@@ -116,12 +125,17 @@ void addExport(CLI::App& app) {
       ->required();
   exporter
       ->add_option("-o,--output", command->output,
-                   "folder to write to; joints that are less than 50 % learned keep the values of files there")
+                   "folder to write to; joints that are less than 50 % learned keep the values of files there; for the "
+                   "direction of a head's camera the file to change")
       ->type_name("FOLDER")
       ->required();
+  exporter->add_option("--camera", command->camera, "the head's camera, where the robot carries several")
+      ->type_name("NAME");
   addPostureOptions(*exporter, command->posture);
   exporter->callback([command] {
-    if (command->dialect == urdfDialect) {
+    if (const HeadDialect* head = findHeadDialect(command->dialect)) {
+      exportHead(*head, command->result, command->posture, command->camera, command->output);
+    } else if (command->dialect == urdfDialect) {
       exportUrdf(command->result, command->posture, command->output);
     } else {
       exportCalibration(*command);

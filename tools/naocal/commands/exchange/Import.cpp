@@ -1,10 +1,13 @@
 #include "commands/Commands.hpp"
+#include "console/HeadExport.hpp"
 #include "console/OutputFiles.hpp"
 #include "console/print/PrintText.hpp"
 
 #include "command-line/OptionChecks.hpp"
 #include "dialects/Dialects.hpp"
+#include "dialects/heads/HeadDialects.hpp"
 #include "io/Files.hpp"
+#include "io/InputError.hpp"
 #include "math/Angles.hpp"
 
 #include <CLI/CLI.hpp>
@@ -20,12 +23,22 @@ namespace {
 
 struct ImportCommand {
   std::vector<std::string> files;
-  std::string dialect, output, robot = "V6";
+  std::string dialect, output, robot = "V6", set, camera;
 };
 
 void printImported(const RobotCalibration& calibration) {
+  std::vector<std::string> joints;
   for (const std::string_view joint : offsetJoints()) {
-    const auto offset = calibration.offsets.find(std::string{joint});
+    joints.emplace_back(joint);
+  }
+  if (!calibration.robot.empty()) {
+    joints.clear();
+    for (const auto& [joint, offset] : calibration.offsets) {
+      joints.push_back(joint);
+    }
+  }
+  for (const std::string& joint : joints) {
+    const auto offset = calibration.offsets.find(joint);
     if (offset != calibration.offsets.end() && offset->second != 0) {
       printText("  {:<16} {:>9.4f}°\n", joint, degrees(offset->second));
     }
@@ -53,16 +66,29 @@ void requireOption(bool isGiven, const char* name) {
   }
 }
 
+ParsedCalibration readFiles(const ImportCommand& command) {
+  ParsedCalibration all;
+  if (const HeadDialect* head = findHeadDialect(command.dialect)) {
+    requireOption(!command.set.empty(), "--set");
+    if (command.files.size() != 1) {
+      throw InputError{
+          fmt::format("{}: expected one file of {}, found {}", command.files[1], head->name, command.files.size())};
+    }
+    return importHead(*head, command.files.front(), command.set, command.camera);
+  }
+  const Dialect& dialect = findDialect(command.dialect);
+  const Robot robot = loadRobot(configurationDirectory(), command.robot);
+  for (const std::string& file : command.files) {
+    addCalibration(dialect.parse(readFile(file), file, robot), file, all);
+  }
+  return all;
+}
+
 void importCalibration(const ImportCommand& command) {
   requireOption(!command.files.empty(), "FILE");
   requireOption(!command.dialect.empty(), "--from");
   requireOption(!command.output.empty(), "--output");
-  const Dialect& dialect = findDialect(command.dialect);
-  const Robot robot = loadRobot(configurationDirectory(), command.robot);
-  ParsedCalibration all;
-  for (const std::string& file : command.files) {
-    addCalibration(dialect.parse(readFile(file), file, robot), file, all);
-  }
+  const ParsedCalibration all = readFiles(command);
   writeJson(calibrationJson(all.calibration), command.output);
   if (command.output == "-") {
     return;
@@ -74,6 +100,14 @@ void importCalibration(const ImportCommand& command) {
   printText("written to {}; next: naocal solve CAPTURES -o result.json --start {}\n", command.output, command.output);
 }
 
+std::vector<std::string> importNames() {
+  std::vector<std::string> names = dialectNames();
+  for (const HeadDialect& dialect : headDialects()) {
+    names.emplace_back(dialect.name);
+  }
+  return names;
+}
+
 } // namespace
 
 void addImport(CLI::App& app) {
@@ -83,13 +117,19 @@ void addImport(CLI::App& app) {
   importer->add_option("FILE", command->files, "files of one robot, at most one of each kind")->type_name("FILE");
   importer->add_option("--from", command->dialect, "the other program")
       ->type_name("DIALECT")
-      ->check(oneOf(dialectNames()));
+      ->check(oneOf(importNames()));
   importer->add_option("-o,--output", command->output, "write the calibration to this file, or - for standard output")
       ->type_name("FILE")
       ->check(replaceableFile("naocal-calibration"));
   importer->add_option("--robot", command->robot, "the robot's model, for its mounts")
       ->capture_default_str()
       ->check(oneOf(std::vector<std::string>{"V4", "V5", "V6"}));
+  importer
+      ->add_option("--set", command->set,
+                   "captures of the robot, for its camera's mount: where the file has the direction of a head's camera")
+      ->type_name("SET");
+  importer->add_option("--camera", command->camera, "the head's camera, where the robot carries several")
+      ->type_name("NAME");
   importer->require_subcommand(0, 1);
   addRecordingImports(*importer);
   importer->callback([command, importer] {
