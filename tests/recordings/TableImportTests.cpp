@@ -65,6 +65,27 @@ TEST_CASE("a table of joint angles and tracked positions becomes a capture set t
   CHECK(set.instruments.markers[0].link == "eye"); // fixed to the last moved link
 }
 
+TEST_CASE("a table's rows of one pose are repeats that were approached anew where their angles differ") {
+  // A rest gives its pictures the mean of its readings; a joint that moved between two pictures would be misread.
+  const TemporaryDirectory folder;
+  const std::string where = ",1000,0,500\n";
+  const auto repeats = [&](const std::string& table) {
+    std::vector<std::pair<int, RepeatKind>> result;
+    for (const Capture& capture : import(table, folder.path()).imported.set.captures) {
+      result.emplace_back(capture.repeat, capture.repeatKind);
+    }
+    return result;
+  };
+  const auto rest = RepeatKind::rest, reapproach = RepeatKind::reapproach;
+  using Repeats = std::vector<std::pair<int, RepeatKind>>;
+  CHECK(repeats("q1,q2,q3,pose,hand_x_mm,hand_y_mm,hand_z_mm\n0.1,0,0,A" + where + "0.1,0,0,A" + where +
+                "0.1003,0,0,A" + where + "0.1003,0,0,A" + where + "0.2,0,0,B" + where + "0.1003,0,0,A" + where) ==
+        Repeats{{0, rest}, {0, rest}, {1, reapproach}, {1, reapproach}, {0, rest}, {2, reapproach}});
+  CHECK(repeats("q1,q2,q3,pose,trial,hand_x_mm,hand_y_mm,hand_z_mm\n0.1,0,0,A,0" + where + "0.1003,0,0,A,0" + where +
+                "0.1003,0,0,A,1" + where + "0.1,0,0,A,2" + where) ==
+        Repeats{{0, rest}, {0, rest}, {1, rest}, {2, reapproach}});
+}
+
 TEST_CASE("a table's pictures are copied into the set, with lens and mount") {
   const TemporaryDirectory folder;
   writeImage({4, 2, {1, 2, 3, 4, 5, 6, 7, 8}}, folder.path() / "a.png");

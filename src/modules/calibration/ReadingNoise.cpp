@@ -93,9 +93,6 @@ public:
 private:
   static constexpr double unit = 1e-3; // [m] or [rad]: sigma of the sums kept
 
-  static double logDeterminant(const Eigen::LLT<Eigen::MatrixXd>& factor) {
-    return 2 * factor.matrixLLT().diagonal().array().log().sum();
-  }
   std::vector<PoseSystem> sumsAt(const Model& wide, const Noise& noise) const {
     const Residuals residuals{measurements_, wide, noise};
     auto linear = residuals.linearize(residuals.startState(unknowns_));

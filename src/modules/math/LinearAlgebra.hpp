@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <cstddef>
 
@@ -10,6 +11,11 @@ namespace naocal {
 /// Converts a container index to Eigen's index type.
 inline Eigen::Index eigenIndex(std::size_t i) {
   return static_cast<Eigen::Index>(i);
+}
+
+/// ln |A| of A = L L^T.
+inline double logDeterminant(const Eigen::LLT<Eigen::MatrixXd>& factor) {
+  return 2 * factor.matrixLLT().diagonal().array().log().sum();
 }
 
 /// A = vectors diag(values) vectors^T.

@@ -181,22 +181,28 @@ private:
       throw InputError{fmt::format("{}, column \"{}\": expected the name of a pose, found an empty cell",
                                    table_.where(row), *map_.pose)};
     }
-    if (map_.repeat) {
-      const std::optional<double> repeat = table_.number(row, table_.column(*map_.repeat));
-      if (!repeat || *repeat < 0 || *repeat > 1e6 || *repeat != std::floor(*repeat)) {
-        throw InputError{fmt::format("{}, column \"{}\": expected a number of a repeat, 0 to 1000000, found \"{}\"",
-                                     table_.where(row), *map_.repeat,
-                                     printableText(table_.text(row, table_.column(*map_.repeat)), 40))};
-      }
-      capture.repeat = static_cast<int>(*repeat);
-      return;
-    }
     const auto last =
         std::find_if(before.rbegin(), before.rend(), [&](const Capture& other) { return other.pose == capture.pose; });
-    if (last != before.rend()) {
-      capture.repeat = last->repeat + (last == before.rbegin() && isAsBefore ? 0 : 1);
-      capture.repeatKind = last == before.rbegin() ? last->repeatKind : RepeatKind::reapproach;
+    const bool rests = isAsBefore && last == before.rbegin();
+    if (map_.repeat) {
+      capture.repeat = readRepeat(row);
+    } else if (last != before.rend()) {
+      capture.repeat = last->repeat + (rests ? 0 : 1);
     }
+    // Other angles of one pose are other readings: a rest would give all its pictures their mean.
+    if (last != before.rend()) {
+      capture.repeatKind = rests || capture.repeat == last->repeat ? last->repeatKind : RepeatKind::reapproach;
+    }
+  }
+
+  int readRepeat(std::size_t row) const {
+    const std::optional<double> repeat = table_.number(row, table_.column(*map_.repeat));
+    if (!repeat || *repeat < 0 || *repeat > 1e6 || *repeat != std::floor(*repeat)) {
+      throw InputError{fmt::format("{}, column \"{}\": expected a number of a repeat, 0 to 1000000, found \"{}\"",
+                                   table_.where(row), *map_.repeat,
+                                   printableText(table_.text(row, table_.column(*map_.repeat)), 40))};
+    }
+    return static_cast<int>(*repeat);
   }
 
   /// Three coordinates in metres; absent if all cells are empty.

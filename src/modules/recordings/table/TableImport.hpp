@@ -18,7 +18,8 @@ struct TableImport {
 ///
 /// Without a column for poses, neighbouring rows with equal angles are one pose, and every other row has its own; with
 /// one, a pose's rows are repeats of it where it has no column for repeats: a new one whenever the angles differ from
-/// those of the row before. Pictures are looked for in `pictures`.
+/// those of the row before. Repeats of other angles were approached anew; those of equal angles in neighbouring rows
+/// are one rest. Pictures are looked for in `pictures`.
 ///
 /// Throws InputError with table, row, column, expected and found: missing columns, cells that are no numbers, angles
 /// beyond two turns of a limited joint in radians (degrees?), positions beyond 1 km, positions of which a coordinate is
