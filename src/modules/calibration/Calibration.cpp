@@ -18,7 +18,7 @@ namespace {
 
 /// What tells the noise of the measurements, apart from what joints do.
 enum class NoiseSource {
-  configured,     // the options, or errors within pictures
+  configured,     // the options
   withinPictures, // errors within pictures, while joints scatter by an amount that nobody knows
   repeats         // repeated captures; or there are no pixels
 };
@@ -50,7 +50,7 @@ NoiseSource estimateMeasurementNoise(const Measurements& measurements, const Mod
   }
   const auto within = options.pixelGiven ? std::nullopt : estimatePixelNoiseWithinImages(observations);
   noise.pixel = within.value_or(noise.pixel);
-  return within && measurements.quantities.scene().hasLinkSteps ? NoiseSource::withinPictures : NoiseSource::configured;
+  return within ? NoiseSource::withinPictures : NoiseSource::configured;
 }
 
 /// Which kinds of repeats the captures contain.

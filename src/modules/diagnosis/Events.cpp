@@ -148,13 +148,22 @@ std::string formatSet(std::size_t set, const Measurements& measurements) {
   return sets.size() > 1 ? " of " + sets[set].name : std::string{};
 }
 
+/// How many of them a set contains.
+std::ptrdiff_t countIn(const Times& all, std::size_t set) {
+  return std::count_if(all.begin(), all.end(), [&](const auto& other) { return other.first.first == set; });
+}
+
 /// The times in sets that contain several of them.
 Times ofSeveral(const Times& all) {
   Times result = all;
-  std::erase_if(result, [&](const auto& entry) {
-    return std::count_if(all.begin(), all.end(),
-                         [&](const auto& other) { return other.first.first == entry.first.first; }) <= 1;
-  });
+  std::erase_if(result, [&](const auto& entry) { return countIn(all, entry.first.first) <= 1; });
+  return result;
+}
+
+/// The times of `some` in sets that do not contain a single one of `others`.
+Times unlessSingle(const Times& some, const Times& others) {
+  Times result = some;
+  std::erase_if(result, [&](const auto& entry) { return countIn(others, entry.first.first) == 1; });
   return result;
 }
 
@@ -216,7 +225,7 @@ std::vector<TransientEvent> movesAt(std::size_t most, const Measurements& measur
     }
   };
   const Sightings all = collectSightings(measurements);
-  // with a single board, a move is attributed to the robot; with a single camera, to the head
+  // on one foot before a single board, the board may have moved or the robot; a single camera's turn is the head's
   const auto targetId = [&](std::size_t at) { return measurements.targets[at].name; };
   const auto cameraId = [&](std::size_t at) { return measurements.robot.cameras[at].name; };
   const auto trackerId = [&](std::size_t at) { return measurements.instruments.trackers[at].name; };
@@ -226,11 +235,16 @@ std::vector<TransientEvent> movesAt(std::size_t most, const Measurements& measur
   const auto moveAnyhow = [](PlaceKind place) {
     return [place](const Moment& moment) { return makeMoveAnyhow(place, moment); };
   };
+  const auto isSingle = [&](std::size_t at) {
+    return std::any_of(all.boards.begin(), all.boards.end(), [&](const auto& entry) {
+      return entry.first.second == at && countIn(all.boards, entry.first.first) == 1;
+    });
+  };
   addMoves(
-      ofSeveral(all.boards), [](const Moment& moment) { return makeMove(PlaceKind::board, moment); },
-      named("board ", targetId), targetId);
+      all.boards, [](const Moment& moment) { return makeMove(PlaceKind::board, moment); },
+      [&](std::size_t at) { return "board " + targetId(at) + (isSingle(at) ? " (or the robot)" : ""); }, targetId);
   addMoves(
-      all.stances, [](const Moment& moment) { return makeMove(PlaceKind::stance, moment); },
+      unlessSingle(all.stances, all.boards), [](const Moment& moment) { return makeMove(PlaceKind::stance, moment); },
       [&](std::size_t at) { return "the robot in stance " + measurements.stances[at].name; },
       [&](std::size_t at) { return measurements.stances[at].name; });
   addMoves(ofSeveral(all.cameras), makeKnock, named("camera ", cameraId), cameraId);

@@ -174,6 +174,7 @@ std::vector<TransientEvent> expandMoments(const Asked& coarse, const Measurement
 struct Tried {
   TransientEvent event;
   double bayes = 0; // evidence, corrected by the chi2 decrease of the fit
+  double fall = 0;  // that decrease
   Eigen::VectorXd values;
 };
 
@@ -196,7 +197,7 @@ std::vector<Tried> tryLikeliest(const Asked& events, const FittedModel& fitted) 
   for (std::size_t i = 0; i < some.size(); ++i) {
     if (fits[i]) {
       const double gained = fits[i]->fall - events.evidence[chosen[i]].likelihoodRatio;
-      result.push_back({some[i], events.bayes[chosen[i]] + gained, fits[i]->values});
+      result.push_back({some[i], events.bayes[chosen[i]] + gained, fits[i]->fall, fits[i]->values});
     }
   }
   std::stable_sort(result.begin(), result.end(), [](const Tried& a, const Tried& b) { return a.bayes > b.bayes; });
@@ -270,6 +271,17 @@ std::size_t posesAfter(const TransientEvent& event, const Measurements& measurem
       }));
 }
 
+/// Whether noise explains what an event leaves of the misfit. Noise that was estimated without repeated poses would
+/// hold part of any misfit, and proves nothing.
+bool explainsMisfit(const Tried& tried, const FittedModel& fitted) {
+  const Measurements& measurements = fitted.measurements;
+  const bool isGiven = std::all_of(measurements.levels.begin(), measurements.levels.end(),
+                                   [](const ReadingLevel& level) { return level.isGiven; });
+  const double freedom = fitted.fit.misfitFreedom - static_cast<double>(tried.values.size());
+  const double left = fitted.fit.misfit * fitted.fit.misfitFreedom - tried.fall;
+  return isGiven && freedom > 0 && left <= threshold::mostMisfit(freedom) * freedom;
+}
+
 std::optional<LikelyEvent> findLikeliestAt(const FittedModel& fitted, const CandidateTests& candidateTests) {
   std::vector<TransientEvent> events = enumerateEvents(fitted.measurements, fitted.fit);
   const std::vector<TransientEvent> angles = enumerateWrongAngles(fitted);
@@ -294,7 +306,7 @@ std::optional<LikelyEvent> findLikeliestAt(const FittedModel& fitted, const Cand
     return std::nullopt;
   }
   const Tried& best = tried.front();
-  if (isMoveAnyhow(best.event) &&
+  if (isMoveAnyhow(best.event) && !explainsMisfit(best, fitted) &&
       best.bayes < noticed * static_cast<double>(posesAfter(best.event, fitted.measurements))) {
     return std::nullopt; // rather a sum of small effects that varies with time
   }

@@ -352,8 +352,8 @@ WorkcellSession stageWorkcell(const Workcell& cell, const WorkcellPlan& plan, Ra
       reading.pose = pose;
       reading.repeat = sample;
       reading.kind = plan.repeats;
+      time += rests ? 0.5 : chance.between(6, 14); // on the way here
       reading.time = time;
-      time += rests ? 0.5 : chance.between(6, 14);
       session.push_back(std::move(reading));
     }
   }

@@ -204,12 +204,16 @@ void WorkcellSetFile::addMeasured(const WorkcellReading& reading, bool bad, json
     }
     return;
   }
-  json uv = json::array();
+  json ids = json::array(), uv = json::array();
   for (std::size_t i = 0; i < reading.seen.size(); ++i) {
-    const Eigen::Vector2d seen = measured.segment<2>(2 * static_cast<Index>(i)) + wrong.head<2>();
-    uv.push_back(listOf(seen + Eigen::Vector2d{noise_.normal(plan_.sigma), noise_.normal(plan_.sigma)}, 1e4));
+    const Eigen::Vector2d seen = measured.segment<2>(2 * static_cast<Index>(i)) + wrong.head<2>() +
+                                 Eigen::Vector2d{noise_.normal(plan_.sigma), noise_.normal(plan_.sigma)};
+    if (seen.x() > 0 && seen.x() < LensDistortion::width && seen.y() > 0 && seen.y() < LensDistortion::height) {
+      ids.push_back(reading.seen[i]); // the board may have moved out of the picture
+      uv.push_back(listOf(seen, 1e4));
+    }
   }
-  capture["corners"] = {{{"board", "board"}, {"ids", reading.seen}, {"uv", uv}}};
+  capture["corners"] = {{{"board", "board"}, {"ids", ids}, {"uv", uv}}};
 }
 
 json WorkcellSetFile::capture(int number) {
