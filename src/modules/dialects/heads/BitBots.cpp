@@ -16,6 +16,12 @@ YamlCursor cameraNode(const YamlCursor& top) {
   return top.at("/bitbots_extrinsic_camera_calibration").at("ros__parameters");
 }
 
+/// ROS would take a whole number for another type.
+std::string printRosAngle(double angle) {
+  const std::string number = printRadian(angle);
+  return number.find('.') == std::string::npos ? number + ".0" : number;
+}
+
 /// neckFromUncalibrated.
 Eigen::Matrix3d uncalibratedFrame(const Robot& robot, const HeadCamera& head) {
   constexpr const char* older = "camera_optical_frame_uncalibrated";
@@ -29,11 +35,7 @@ std::string writeBitBots(const std::string& text, const std::string& file, const
   const YamlCursor node = cameraNode(edited.top());
   const Eigen::Vector3d angles = anglesZyx(uncalibratedFrame(robot, head).transpose() * head.calibrated.rotation *
                                            opticalFromCamera().transpose());
-  for (std::size_t i = 0; i < angleKeys.size(); ++i) {
-    const std::string number = printDecimal(angles[static_cast<Eigen::Index>(i)], decimals::radian);
-    const bool isWhole = number.find('.') == std::string::npos; // ROS would take an integer for another type
-    edited.replace(node.at(angleKeys[i]), isWhole ? number + ".0" : number);
-  }
+  edited.replace(node.at(angleKeys), angles, printRosAngle);
   return edited.edited();
 }
 

@@ -32,10 +32,7 @@ Eigen::Matrix3d readTurn(const YamlCursor& at) {
 
 void writeTurn(const YamlCursor& at, const Eigen::Vector3d& angles, InPlaceText& text) {
   (void)at.numbers(3);
-  const std::vector<YamlCursor> elements = at.elements();
-  for (std::size_t i = 0; i < elements.size(); ++i) {
-    text.replace(elements[i], printDecimal(angles[static_cast<Eigen::Index>(i)], decimals::radian));
-  }
+  text.replace(at.elements(), angles, printRadian);
 }
 
 /// opticalFromHead without correction_in_camera.
