@@ -33,9 +33,12 @@ Eigen::Matrix3d uncalibratedFrame(const Robot& robot, const HeadCamera& head) {
 std::string writeBitBots(const std::string& text, const std::string& file, const Robot& robot, const HeadCamera& head) {
   InPlaceText edited{text, file, InPlaceSyntax::yaml};
   const YamlCursor node = cameraNode(edited.top());
-  const Eigen::Vector3d angles = anglesZyx(uncalibratedFrame(robot, head).transpose() * head.calibrated.rotation *
-                                           opticalFromCamera().transpose());
-  edited.replace(node.at(angleKeys), angles, printRosAngle);
+  const Eigen::Matrix3d frame = uncalibratedFrame(robot, head);
+  if (head.calibrated) {
+    edited.replace(node.at(angleKeys),
+                   anglesZyx(frame.transpose() * head.calibrated->rotation * opticalFromCamera().transpose()),
+                   printRosAngle);
+  }
   return edited.edited();
 }
 

@@ -56,10 +56,14 @@ std::string writeHulksK1(const std::string& text, const std::string& file, const
   requireK1(head, file);
   InPlaceText edited{text, file, InPlaceSyntax::json5};
   const YamlCursor corrections = findCorrections(edited.top());
-  const Eigen::Matrix3d inCamera =
-      opticalFromCamera() * head.calibrated.rotation.transpose() * opticalFromHead(corrections).transpose();
-  writeTurn(corrections.at("correction_in_robot"), {0, 0, head.base->offset}, edited);
-  writeTurn(corrections.at("correction_in_camera"), anglesZyx(inCamera), edited);
+  if (head.base->offset) {
+    writeTurn(corrections.at("correction_in_robot"), {0, 0, *head.base->offset}, edited);
+  }
+  if (head.calibrated) {
+    const Eigen::Matrix3d inCamera =
+        opticalFromCamera() * head.calibrated->rotation.transpose() * opticalFromHead(corrections).transpose();
+    writeTurn(corrections.at("correction_in_camera"), anglesZyx(inCamera), edited);
+  }
   return edited.edited();
 }
 

@@ -88,11 +88,14 @@ NUbotsPlaces findPlaces(const YamlCursor& top, const std::string& file, const Ro
 std::string writeNUbots(const std::string& text, const std::string& file, const Robot& robot, const HeadCamera& head) {
   InPlaceText edited{text, file, InPlaceSyntax::yaml};
   const NUbotsPlaces places = findPlaces(edited.top(), file, robot, head);
+  if (!head.calibrated) {
+    return text;
+  }
   if (places.offsets) {
-    const Eigen::Vector3d angles = offsetAngles(head.calibrated.rotation * places.base.transpose());
+    const Eigen::Vector3d angles = offsetAngles(head.calibrated->rotation * places.base.transpose());
     edited.replace(places.offsets->at(offsetKeys), angles, printExpression);
   } else {
-    edited.replace(places.angles->elements(), anglesZyx(head.calibrated.rotation), printRadian);
+    edited.replace(places.angles->elements(), anglesZyx(head.calibrated->rotation), printRadian);
   }
   return edited.edited();
 }
