@@ -27,6 +27,17 @@ TEST_CASE("unknowns are named as a person would name them") {
         "the head pitch's encoder gain");
 }
 
+TEST_CASE("noise of encoders is said only where their steps are known") {
+  // Proves the words for a NAO's encoders with and without scatter between stances, and for encoders of unknown steps.
+  Noise noise{.encoder = 0.0005, .pose = 0.0002};
+  CHECK(formatJointNoise(noise, false) == "encoders 0.0286°, joint scatter 0.0115° from pose to pose");
+  noise.stance = 0.001;
+  CHECK(formatJointNoise(noise, false).ends_with("0.0115° from pose to pose and 0.0573° from stance to stance"));
+  noise.stance = 0;
+  CHECK(formatJointNoise(noise, true) ==
+        "encoders' steps unknown, their noise part of the joint scatter 0.0115° from pose to pose");
+}
+
 TEST_CASE("several names are joined as in a sentence") {
   // Proves the commas and the last "and".
   CHECK(joinWords({}).empty());

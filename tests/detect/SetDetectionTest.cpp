@@ -72,6 +72,7 @@ TEST_CASE("a missing, a broken and a wrongly sized picture are named and touch n
   const SetDetection detection = detectInSet(recorded.set, recorded.folder, 2, always);
   CHECK(detection.pictures == 0);
   REQUIRE(detection.unreadable.size() == 3);
+  CHECK(detection.unreadableCaptures == std::vector<int>{0, 1, 2});
   CHECK_THAT(detection.unreadable[0], Catch::Contains("capture 0") && Catch::Contains("no such file"));
   CHECK_THAT(detection.unreadable[1], Catch::Contains("capture 1") && Catch::Contains("could not be read"));
   CHECK_THAT(detection.unreadable[2], Catch::Contains("capture 2") && Catch::Contains("320 x 240"));

@@ -268,6 +268,21 @@ TEST_CASE("what was written of a head is read and written again to the same digi
   }
 }
 
+TEST_CASE("numbers of a head that a calibration does not know stay in the file") {
+  // Proves it for the direction of the camera and the yaw's offset, each without the other, and for nothing known.
+  RobotCalibration direction = randomHead(5), yaw;
+  yaw.offsets["yaw"] = direction.offsets.extract("yaw").mapped();
+  for (const Example& example : examples()) {
+    INFO(example.dialect);
+    CHECK(write(example, {}) == example.text);
+    CHECK(write(example, direction) != example.text);
+    CHECK((write(example, yaw) == example.text) == (example.dialect != "hulks-k1"));
+  }
+  const Example example{"hulks-k1", hulksFile, headOf("Head_2", "eye")};
+  CHECK(write(example, direction).find("correction_in_robot: [0.0, 0.5 /* by eye */, 0.0,]") != std::string::npos);
+  CHECK(write(example, yaw).find("'correction_in_camera': [.1, +0.0, -0.2]") != std::string::npos);
+}
+
 TEST_CASE("everything else in a file stays to the byte") {
   // Proves comments, tabs, quotes, order and other keys: what differs between the texts are numbers alone.
   RobotCalibration calibration;
@@ -313,7 +328,7 @@ TEST_CASE("the drawings of the K1 and of the Pi+ have what their teams' files ne
   const HeadDirection direction =
       findHeadDialect("hulks-k1")->parse(write(example, calibration), "k1.json5", k1, describeHeadCamera(k1, "", {}));
   CHECK(std::abs(*direction.baseOffset - calibration.offsets.at("AAHead_yaw")) < 1e-9);
-  CHECK(difference(direction.neckFromCamera, describeHeadCamera(k1, "", calibration).calibrated.rotation) < printed);
+  CHECK(difference(direction.neckFromCamera, describeHeadCamera(k1, "", calibration).calibrated->rotation) < printed);
 }
 
 } // namespace naocal

@@ -111,6 +111,16 @@ TEST_CASE("the verdict is said in plain words") {
   CHECK(misfit().find("less than once in 1000") != std::string::npos);
 }
 
+TEST_CASE("a report says of joints' noise only what was measured") {
+  // Proves that encoders of unknown steps are not given a noise that nobody measured.
+  CalibratedFolder calibrated;
+  const auto noise = [&] { return shown(calibrated.page())["facts"][3]["sentence"].get<std::string>(); };
+  calibrated.result["noise"]["source"] = "repeats";
+  CHECK_THAT(noise(), Catch::Contains("; encoders 0.0") && Catch::EndsWith("taken more than once."));
+  calibrated.result["noise"]["unknownSteps"] = true;
+  CHECK_THAT(noise(), Catch::Contains("encoders' steps unknown") && Catch::EndsWith("from pose to pose."));
+}
+
 TEST_CASE("a report loads nothing from elsewhere") {
   // Proves that the page contains no external reference, and that its policy forbids loading.
   const std::string page = CalibratedFolder{}.page();

@@ -147,9 +147,6 @@ CalibrationResult calibrate(const Measurements& measurements, const Model& model
   CalibrationResult result = estimateUncertainty(used, believed, answer.fit, answer.levels);
   result.noiseSource = answer.source == NoiseSource::repeats ? "repeats" : "configured";
   result.restartsTried = options.restarts;
-  result.outliers = findOutliers(used, result);
-  result.doubtfulReadings = findDoubtfulReadings(
-      Residuals{used, believed, answer.fit.noise, answer.fit.loss}.witnessResiduals(answer.fit.minimum.state));
   if (options.robust && DisplacedBoardCount{used, result.outliers}.areTooMany()) {
     CalibrationOptions all = options;
     all.robust = false;

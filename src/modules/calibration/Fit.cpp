@@ -183,7 +183,9 @@ Fit fitInitially(const Measurements& measurements, const Model& model, const Noi
 double rmsAsReported(const Measurements& measurements, const Model& model, const Fit& fit) {
   const Residuals residuals{measurements, model, fit.noise, fit.loss};
   const auto asRead = residuals.startState(fit.minimum.state.unknowns);
-  return summarizeDistances(collectDistances(residuals, asRead)).rmsPx;
+  return summarizeDistances(collectDistances(measurements, residuals.boardResiduals(asRead),
+                                             residuals.witnessResiduals(asRead), fit.noise))
+      .rmsPx;
 }
 
 Fit refit(const Measurements& measurements, const Model& model, const Noise& noise, const Loss& loss, Fit from,

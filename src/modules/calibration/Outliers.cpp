@@ -41,14 +41,16 @@ std::vector<DoubtfulReading> findDoubtfulReadings(const std::vector<WitnessResid
   return all;
 }
 
-Measurements withoutDoubtfulReadings(const Measurements& measurements, const Model& model, const Fit& fit) {
+std::optional<Measurements> withoutDoubtfulReadings(const Measurements& measurements, const Model& model,
+                                                    const Fit& fit) {
   constexpr double most = 0.1; // share
   const Residuals residuals{measurements, model, fit.noise, fit.loss};
   std::vector<DoubtfulReading> doubtful = findDoubtfulReadings(residuals.witnessResiduals(fit.minimum.state));
-  Measurements kept = measurements;
-  if (static_cast<double>(doubtful.size()) > most * static_cast<double>(measurements.witnessCount)) {
-    return kept;
+  if (doubtful.empty() ||
+      static_cast<double>(doubtful.size()) > most * static_cast<double>(measurements.witnessCount)) {
+    return std::nullopt;
   }
+  Measurements kept = measurements;
   std::reverse(doubtful.begin(), doubtful.end()); // so that removals do not shift those to come
   for (const DoubtfulReading& one : doubtful) {
     auto& witnesses = kept.pictures[one.picture].witnesses;

@@ -14,9 +14,10 @@ std::vector<Outlier> findOutliers(const Measurements& measurements, const Calibr
 /// Lists readings downweighted by the loss.
 std::vector<DoubtfulReading> findDoubtfulReadings(const std::vector<WitnessResidual>& residuals);
 
-/// The measurements without the readings that the fit's loss downweights, unless these are more than 10 %: then the
-/// model is wrong and must keep them.
-Measurements withoutDoubtfulReadings(const Measurements& measurements, const Model& model, const Fit& fit);
+/// The measurements without the readings that the fit's loss downweights. Absent if there are none, or more than 10 %:
+/// then the model is wrong and must keep them.
+std::optional<Measurements> withoutDoubtfulReadings(const Measurements& measurements, const Model& model,
+                                                    const Fit& fit);
 
 /// Removes a picture's readings from the measurements.
 void excludeReadings(Measurements& measurements, std::size_t picture);

@@ -162,11 +162,9 @@ std::vector<double> scaledDistances(const Measurements& measurements, const std:
   return distances;
 }
 
-std::vector<double> collectDistances(const Residuals& residuals, const Residuals::State& state) {
-  const Measurements& measurements = residuals.measurements();
-  return measurements.cornerCount > 0
-             ? collectDistances(residuals.boardResiduals(state))
-             : scaledDistances(measurements, residuals.witnessResiduals(state), residuals.noise());
+std::vector<double> collectDistances(const Measurements& measurements, const std::vector<BoardResidual>& corners,
+                                     const std::vector<WitnessResidual>& readings, const Noise& noise) {
+  return measurements.cornerCount > 0 ? collectDistances(corners) : scaledDistances(measurements, readings, noise);
 }
 
 std::string formatSizes(const ReadingErrors& errors) {

@@ -57,7 +57,8 @@ std::vector<double> scaledDistances(const Measurements& measurements, const std:
                                     const Noise& noise);
 
 /// Distances of all corners [px]; of a set without corners, those of its readings as above.
-std::vector<double> collectDistances(const Residuals& residuals, const Residuals::State& state);
+std::vector<double> collectDistances(const Measurements& measurements, const std::vector<BoardResidual>& corners,
+                                     const std::vector<WitnessResidual>& readings, const Noise& noise);
 
 /// For example "0.31 mm (laser)", one after the other.
 std::string formatSizes(const ReadingErrors& errors);

@@ -162,11 +162,12 @@ double findMiddle(const std::function<double(double)>& deviance, double low, dou
 
 Noise estimateReadingNoise(const Measurements& all, const Model& model, const Fit& fit, Noise noise,
                            const std::vector<Effect>& effects) {
-  const std::vector<ReadingLevel>& levels = all.levels;
-  if (std::all_of(levels.begin(), levels.end(), [](const ReadingLevel& level) { return level.isGiven; })) {
+  if (!all.hasUnknownNoise()) {
     return noise;
   }
-  const Measurements measurements = withoutDoubtfulReadings(all, model, fit);
+  const std::vector<ReadingLevel>& levels = all.levels;
+  const std::optional<Measurements> kept = withoutDoubtfulReadings(all, model, fit);
+  const Measurements& measurements = kept ? *kept : all;
   Model wide = model;
   for (Term& candidate : testableTerms(measurements, model, effects)) {
     wide.add(std::move(candidate));

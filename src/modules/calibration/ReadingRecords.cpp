@@ -78,6 +78,9 @@ json roundedPoint(const Eigen::Vector3d& point) {
 
 std::vector<ReadingRecord> recordReadings(const FittedModel& fitted) {
   const Measurements& measurements = fitted.measurements;
+  if (measurements.witnessCount == 0) {
+    return {};
+  }
   const Residuals residuals{measurements, fitted.model, fitted.fit.noise, fitted.fit.loss};
   const std::vector<WitnessResidual> reported = residuals.witnessResiduals(residuals.startState(fitted.fit.unknowns));
   const std::vector<WitnessResidual> moved = residuals.witnessResiduals(fitted.fit.state);

@@ -1,5 +1,6 @@
 #include "calibration/Uncertainty.hpp"
 
+#include "calibration/Outliers.hpp"
 #include "calibration/ReadingErrors.hpp"
 #include "calibration/result/Wording.hpp"
 #include "estimation/DriverState.hpp"
@@ -134,20 +135,26 @@ Estimate estimate(double value, double variance, double relativeSpread, double p
           .learned = std::max(0.0, 1 - sigma / priorSigma)};
 }
 
-/// Corner distances from the prediction at the joint angles as read, without deflections.
+/// Distances of corners and errors of other readings: from the prediction at the joint angles as read, without
+/// deflections; and with the fit's deflections, at which those that disagree with the rest are listed.
 void measureDistances(const Residuals& residuals, const Fit& fit, CalibrationResult& result) {
-  result.withReportedAngles = residuals.boardResiduals(residuals.startState(result.unknowns));
+  const Measurements& measurements = residuals.measurements();
   const Residuals::State asRead = residuals.startState(result.unknowns);
-  const ResidualSummary summary = summarizeDistances(collectDistances(residuals, asRead));
+  result.withReportedAngles = residuals.boardResiduals(asRead);
+  const std::vector<WitnessResidual> readings = residuals.witnessResiduals(asRead);
+  const ResidualSummary summary =
+      summarizeDistances(collectDistances(measurements, result.withReportedAngles, readings, residuals.noise()));
   if (!std::isfinite(summary.rmsPx)) { // the fit's deflections were feasible, zero deflections are not
     throw behindCameraError();
   }
   result.rmsPx = summary.rmsPx;
   result.medianPx = summary.medianPx;
-  if (residuals.measurements().witnessCount > 0) {
-    result.readings = summarizeReadings(residuals.measurements(), residuals.witnessResiduals(asRead));
+  if (measurements.witnessCount > 0) {
+    result.readings = summarizeReadings(measurements, readings);
   }
   result.residuals = residuals.boardResiduals(fit.minimum.state);
+  result.outliers = findOutliers(measurements, result);
+  result.doubtfulReadings = findDoubtfulReadings(residuals.witnessResiduals(fit.minimum.state));
 }
 
 /// Requested physical unknowns.

@@ -12,9 +12,9 @@ namespace naocal {
 /// boards. Scaled by the remaining misfit, as the covariance is.
 double predictFloorErrorAt2m(const FittedModel& fitted);
 
-/// Uncertainty of a fit: covariance = inverse Hessian of the whitened problem, priors included, times the remaining
-/// misfit; standard errors averaged over the possible noise levels; 95 % intervals from the Student's t distribution of
-/// that variance and kurtosis.
+/// Errors of a fit, the measurements that disagree with it, and its uncertainty: covariance = inverse Hessian of the
+/// whitened problem, priors included, times the remaining misfit; standard errors averaged over the possible noise
+/// levels; 95 % intervals from the Student's t distribution of that variance and kurtosis.
 CalibrationResult estimateUncertainty(const Measurements& measurements, const Model& model, const Fit& fit,
                                       const NoiseLevels& levels);
 

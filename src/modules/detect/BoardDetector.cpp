@@ -289,6 +289,7 @@ SetDetection detectInSet(CaptureSet& set, const std::filesystem::path& folder, u
     Capture& capture = set.captures[withImage[i]];
     if (!outcomes[i].unreadable.empty()) {
       result.unreadable.push_back(outcomes[i].unreadable);
+      result.unreadableCaptures.push_back(capture.id);
     }
     if (const auto& detection = outcomes[i].detection) {
       ++result.pictures;

@@ -59,6 +59,7 @@ struct SetDetection {
   std::size_t pictures = 0; // number of pictures processed
   std::vector<CaptureIssue> findings;
   std::vector<std::string> unreadable; // one sentence per picture that is missing, broken or of the wrong size
+  std::vector<int> unreadableCaptures; // their Capture::id
 };
 
 /// Called after each picture with the number done and the total; false stops the detection.

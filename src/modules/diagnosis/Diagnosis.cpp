@@ -63,9 +63,7 @@ std::optional<ImageField> noteworthyField(const std::optional<ImageField>& field
 /// nor where readings of unknown noise are never repeated.
 bool tellScatter(const Measurements& measurements, double scatter) {
   constexpr double encoderScatter = radians(0.02); // of an encoder whose step is not known
-  const bool readsUnknown =
-      !measurements.hasRepeats && std::any_of(measurements.levels.begin(), measurements.levels.end(),
-                                              [](const ReadingLevel& level) { return !level.isGiven; });
+  const bool readsUnknown = !measurements.hasRepeats && measurements.hasUnknownNoise();
   return !readsUnknown && (!measurements.hasUnknownSteps() || scatter >= encoderScatter);
 }
 

@@ -39,9 +39,7 @@ std::vector<Noise> lowerLevels(const Noise& noise, const Measurements& measureme
       add(0.1, 1);
     }
   }
-  const bool isEstimated = std::any_of(measurements.levels.begin(), measurements.levels.end(),
-                                       [](const ReadingLevel& level) { return !level.isGiven; });
-  if (measurements.cornerCount == 0 && isEstimated) {
+  if (measurements.cornerCount == 0 && measurements.hasUnknownNoise()) {
     for (const double part : {1.0 / 32, 1.0 / 16, 1.0 / 8, 0.25, 0.5}) {
       add(part, part);
     }

@@ -95,10 +95,11 @@ std::vector<Together> selectWorst(std::vector<Together> all, std::size_t most) {
   return all;
 }
 
-PictureErrors collectErrors(const FittedModel& fitted, const std::vector<BoardResidual>& boards) {
+/// With joint angles as read.
+PictureErrors collectErrors(const FittedModel& fitted) {
   const Measurements& measurements = fitted.measurements;
   PictureErrors result;
-  for (const BoardResidual& observation : boards) {
+  for (const BoardResidual& observation : fitted.fit.withReportedAngles) {
     const ObservationChain& view =
         measurements.pictures[observation.picture].observations[observation.observation].view;
     if (measurements.targets[view.board()].inWorld) {
@@ -157,7 +158,7 @@ TransientEvent makeWrongAngles(const Together& together, const std::string& caus
 std::vector<TransientEvent> enumerateWrongAngles(const FittedModel& fitted) {
   constexpr std::size_t mostApproaches = 6, mostPoses = 3;
   const Measurements& measurements = fitted.measurements;
-  const Groups groups = groupPictures(measurements, collectErrors(fitted, fitted.fit.withReportedAngles));
+  const Groups groups = groupPictures(measurements, collectErrors(fitted));
   const char* const cause = measurements.cornerCount > 0 ? "somebody touched the robot, or its angles are wrong there"
                                                          : "a bad reading, or its angles are wrong there";
   std::vector<TransientEvent> result;

@@ -163,10 +163,12 @@ PointRegistration registerPoints(const std::vector<SeenPoint>& seen, std::size_t
       }
     }
   }
-  const auto best = std::min_element(starts.begin(), starts.end(), [&](const auto& one, const auto& other) {
-    return misfitOf(one, some) < misfitOf(other, some);
-  });
-  return best == starts.begin() ? linear : alternateFrom(best->inHand, some, steps);
+  std::vector<double> misfits;
+  for (const PointRegistration& start : starts) {
+    misfits.push_back(misfitOf(start, some));
+  }
+  const auto best = static_cast<std::size_t>(std::min_element(misfits.begin(), misfits.end()) - misfits.begin());
+  return best == 0 ? linear : alternateFrom(starts[best].inHand, some, steps);
 }
 
 } // namespace naocal

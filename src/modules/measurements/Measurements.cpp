@@ -106,6 +106,10 @@ bool Measurements::hasUnknownSteps() const {
   });
 }
 
+bool Measurements::hasUnknownNoise() const {
+  return std::any_of(levels.begin(), levels.end(), [](const ReadingLevel& level) { return !level.isGiven; });
+}
+
 double sigmaOf(const Measurements& measurements, const Noise& noise, std::size_t level) {
   return noise.readings.empty() ? measurements.levels[level].sigma : noise.readings[level];
 }

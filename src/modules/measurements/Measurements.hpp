@@ -107,6 +107,9 @@ struct Measurements {
   /// scatter from pose to pose, which must then be estimated.
   bool hasUnknownSteps() const;
 
+  /// Whether readings other than corners have a noise level that the sets do not give: it is estimated.
+  bool hasUnknownNoise() const;
+
   /// The set and the capture that a picture was made from.
   const CaptureSet& setOf(const ImageObservation& picture) const { return (*sets)[picture.set]; }
   const Capture& captureOf(const ImageObservation& picture) const { return setOf(picture).captures[picture.capture]; }

@@ -250,22 +250,9 @@ std::vector<std::vector<Rest>> groupReadings(Measurements& measurements) {
 /// Motors that the observations depend on, in ascending order.
 std::vector<std::size_t> observedMotors(const Measurements& measurements) {
   std::set<std::size_t> motors;
-  const auto use = [&](const ObservationChain& view) {
-    for (std::size_t joint : view.joints()) {
-      motors.insert(measurements.robot.joints[joint].motor);
-    }
-  };
   for (const ImageObservation& picture : measurements.pictures) {
-    for (const BoardObservation& observation : picture.observations) {
-      use(observation.view);
-    }
-    for (const WitnessObservation& witness : picture.witnesses) {
-      if (witness.view) {
-        use(*witness.view);
-      }
-    }
-    if (picture.otherSole) {
-      use(*picture.otherSole);
+    for (const std::size_t joint : observedJoints(measurements.robot, picture)) {
+      motors.insert(measurements.robot.joints[joint].motor);
     }
   }
   return {motors.begin(), motors.end()};

@@ -29,6 +29,12 @@ std::string driverUnit(const JsonCursor& diagnosis, const std::string& driver) {
                                              : "rad");
 }
 
+/// A driver's name in expressions where it may be of any joint: "q" and "tau" of LHipPitch are "LHipPitch" and
+/// "tau_LHipPitch".
+std::string nameDriver(const std::string& driver, const std::string& joint) {
+  return driver == "q" ? joint : driver == "tau" ? "tau_" + joint : driver;
+}
+
 /// A model file with the curve's expression as a custom effect and the labels `with`.
 json modelFile(const JsonCursor& effect, std::vector<std::string> with) {
   with.push_back(fmt::format("{}@{}", effect.at("name").text(), effect.at("at").text()));
@@ -43,8 +49,8 @@ json curveJson(const JsonCursor& diagnosis, const JsonCursor& curve, const json&
   const std::string ownUnit = valueUnit ? valueUnit->text() : "rad";
   const auto [shown, size] = displayUnit(about ? ownUnit : recordedUnit(diagnosis, joint).value_or(ownUnit));
   const bool within = about && shown != "°"; // residual within images: board shape or lens, over places there
-  const std::string driverName = driver == "q" ? joint : driver == "tau" ? "tau_" + joint : driver;
-  const auto [unit, scale] = displayUnit(within ? (shown == "px" ? "px" : "m") : driverUnit(diagnosis, driverName));
+  const auto [unit, scale] =
+      displayUnit(within ? (shown == "px" ? "px" : "m") : driverUnit(diagnosis, nameDriver(driver, joint)));
   const auto effect = curve.find("effect"); // only for joints' curves
   json points = json::array();
   for (const JsonCursor& point : curve.at("curve").elements()) {
@@ -86,9 +92,7 @@ json mapData(const JsonCursor& diagnosis) {
   for (const JsonCursor& cell : map ? map->elements() : std::vector<JsonCursor>{}) {
     const std::string joint = cell.at("at").text(), driver = cell.at("driver").text();
     cells.push_back({{"joint", joint},
-                     {"driver", driver == "q"     ? joint
-                                : driver == "tau" ? "tau_" + joint
-                                                  : driver},
+                     {"driver", nameDriver(driver, joint)},
                      {"evidence", cell.at("evidence").number(anyNumber)},
                      {"pValue", cell.at("pValue").number({0, 1, ""})}});
   }

@@ -1,7 +1,7 @@
 #include "report/ResultFacts.hpp"
 
+#include "calibration/result/Wording.hpp"
 #include "io/Units.hpp"
-#include "math/Angles.hpp"
 #include "measurements/Witness.hpp"
 #include "report/PageValues.hpp"
 #include "report/ReadingsData.hpp"
@@ -126,26 +126,29 @@ std::string formatReadingNoise(const std::vector<NoiseWords>& noises) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-/// Noise of an encoder and of joints, and where it is from.
-std::string formatJointNoise(const JsonCursor& noise) {
-  const bool told = noise.at("source").text() == "repeats";
-  const double stance = numberAt(noise, "stance");
-  return fmt::format("{:.3f}° of an encoder's reading; {:.3f}° of a joint from pose to pose{}: {}.",
-                     degrees(numberAt(noise, "encoder")), degrees(numberAt(noise, "pose")),
-                     stance > 0 ? fmt::format("; {:.3f}° more wherever the robot stands anew", degrees(stance)) : "",
-                     told ? "measured from poses that were taken more than once"
-                          : "partly assumed, because no pose was taken more than once");
+/// Noise of encoders and joints, and where it is from; of encoders with unknown steps nothing was measured apart.
+std::string describeJointNoise(const JsonCursor& noise) {
+  const bool hasUnknownSteps = noise.find("unknownSteps").has_value();
+  const std::string words = formatJointNoise(
+      {.encoder = numberAt(noise, "encoder"), .pose = numberAt(noise, "pose"), .stance = numberAt(noise, "stance")},
+      hasUnknownSteps);
+  const char* const source = hasUnknownSteps ? ""
+                             : noise.at("source").text() == "repeats"
+                                 ? ": measured from poses that were taken more than once"
+                                 : ": partly assumed, because no pose was taken more than once";
+  return words + source + ".";
 }
 
 Fact cornerNoiseFact(const JsonCursor& noise) {
-  return {fmt::format("{:.2g} px", numberAt(noise, "pixel")), "noise of a corner per axis; " + formatJointNoise(noise)};
+  return {fmt::format("{:.2g} px", numberAt(noise, "pixel")),
+          "noise of a corner per axis; " + describeJointNoise(noise)};
 }
 
 /// Of readings that are no corners; the figure is of the first instrument.
 Fact readingNoiseFact(const JsonCursor& result, bool isAlone) {
   const std::vector<NoiseWords> noises = readingNoises(result);
   return {noises.front().size, fmt::format("noise of readings per axis, 1 sigma: {}{}", formatReadingNoise(noises),
-                                           isAlone ? "; " + formatJointNoise(result.at("noise")) : ".")};
+                                           isAlone ? "; " + describeJointNoise(result.at("noise")) : ".")};
 }
 
 /// The noise floor, and how often noise alone would give such evidence for a missing effect.

@@ -126,6 +126,11 @@ void requirePlaces(const JsonCursor& top, const RobotScene& scene) {
 
 } // namespace
 
+const Tracker& findTracker(const CaptureSet& set, const std::string& id) {
+  const std::vector<Tracker>& trackers = set.instruments.trackers;
+  return *std::find_if(trackers.begin(), trackers.end(), [&](const Tracker& tracker) { return tracker.id == id; });
+}
+
 CaptureSet makeRobotOnly(const std::string& robot, SupportFoot foot) {
   CaptureSet set;
   set.name = "simulated";

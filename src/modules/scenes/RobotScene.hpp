@@ -27,6 +27,9 @@ struct RobotScene {
   SceneNoise noise;
 };
 
+/// The tracker with this id; the set must have it.
+const Tracker& findTracker(const CaptureSet& set, const std::string& id);
+
 /// The robot of a simulation: a set without anything but its robot, joints and stance. `robot`: path of a URDF, or a
 /// shipped model. `foot`: what a model with soles stands on.
 CaptureSet makeRobotOnly(const std::string& robot, SupportFoot foot);

@@ -1,5 +1,6 @@
 #include "scenes/SceneSimulation.hpp"
 
+#include "diagnosis/SetUps.hpp"
 #include "io/InputError.hpp"
 #include "math/LinearAlgebra.hpp"
 #include "measurements/Noise.hpp"
@@ -13,10 +14,6 @@
 namespace naocal {
 
 namespace {
-
-RigidTransform placedBy(const Placement& p) {
-  return transformFromPlacement((Eigen::Matrix<double, 6, 1>{} << p.x, p.y, p.z, p.roll, p.pitch, p.yaw).finished());
-}
 
 Placement placementBy(const RigidTransform& transform) {
   const Eigen::Matrix<double, 6, 1> p = placementFromTransform(transform);
@@ -36,8 +33,8 @@ public:
     JointReadings readings;
     for (const std::string& name : scene_.set.jointNames) {
       const Eigen::Index joint = eigenIndex(*robot.jointIndex(name));
-      const double sign = hasFlaw(std::string{reversedFlaw} + name) ? -1 : 1;
-      const double slip = hasFlaw(std::string{slippedFlaw} + name) ? scene_.set.slipSteps.at(name) : 0;
+      const double sign = hasFlaw(reversedJoint + name) ? -1 : 1;
+      const double slip = hasFlaw(countSlip + name) ? scene_.set.slipSteps.at(name) : 0;
       const double shown = sign * (recorded[joint] + encoders_.normal(scene_.noise.encoder)) + slip;
       const double step = stepOf(name);
       readings.measured.push_back(step > 0 ? step * std::round(shown / step) : shown);
@@ -57,7 +54,7 @@ public:
     }
     for (FrameReading& frame : capture.frames) {
       frame.xyz += drawThree(sigmaOf(frame.tracker));
-      const double sigma = trackerOf(frame.tracker).sigmaRotation.value_or(scene_.noise.trackerRotation);
+      const double sigma = findTracker(scene_.set, frame.tracker).sigmaRotation.value_or(scene_.noise.trackerRotation);
       frame.rotation = Eigen::Quaterniond{rotationAbout(drawThree(sigma))} * frame.rotation;
     }
   }
@@ -85,11 +82,9 @@ private:
     }
   }
 
-  const Tracker& trackerOf(const std::string& id) const {
-    const auto& trackers = scene_.set.instruments.trackers;
-    return *std::find_if(trackers.begin(), trackers.end(), [&](const Tracker& tracker) { return tracker.id == id; });
+  double sigmaOf(const std::string& tracker) const {
+    return findTracker(scene_.set, tracker).sigma.value_or(scene_.noise.tracker);
   }
-  double sigmaOf(const std::string& tracker) const { return trackerOf(tracker).sigma.value_or(scene_.noise.tracker); }
   Eigen::Vector3d drawThree(double sigma) {
     const double x = trackers_.normal(sigma), y = trackers_.normal(sigma), z = trackers_.normal(sigma);
     return {x, y, z};
@@ -113,7 +108,7 @@ RigidTransform resultWorld(const RobotScene& scene, const TrueRobot& robot, cons
       return {};
     }
     if (boards[i].link == "floor" && isSeen) {
-      return placedBy(*boards[i].placement).inverse();
+      return transformFromPlacement(boards[i].placement->numbers()).inverse();
     }
   }
   return {};
@@ -121,7 +116,9 @@ RigidTransform resultWorld(const RobotScene& scene, const TrueRobot& robot, cons
 
 TrueScene listTrueScene(const CaptureSet& placed, const RigidTransform& resultFromWorld) {
   TrueScene scene;
-  const auto inResult = [&](const Placement& placement) { return placementBy(resultFromWorld * placedBy(placement)); };
+  const auto inResult = [&](const Placement& placement) {
+    return placementBy(resultFromWorld * transformFromPlacement(placement.numbers()));
+  };
   for (const Board& board : placed.boards) {
     const bool isInWorld = board.link == "floor" || board.link == "world";
     scene.placements["boards"][board.id] = isInWorld ? inResult(*board.placement) : *board.placement;

@@ -1,5 +1,6 @@
 #include "scenes/TrueRobot.hpp"
 
+#include "diagnosis/SetUps.hpp"
 #include "estimation/DriverState.hpp"
 #include "io/InputError.hpp"
 #include "math/LinearAlgebra.hpp"
@@ -16,10 +17,6 @@ namespace naocal {
 namespace {
 
 constexpr std::size_t fewestCorners = 8; // of one board, in a pose that is kept
-
-RigidTransform transformOf(const Placement& p) {
-  return transformFromPlacement((Eigen::Matrix<double, 6, 1>{} << p.x, p.y, p.z, p.roll, p.pitch, p.yaw).finished());
-}
 
 bool standsOnSole(const CaptureSet& set) {
   const Stance& stance = set.stances.front();
@@ -148,7 +145,7 @@ Flaw parseFlaw(const std::string& text) {
 }
 
 bool isSetUp(const std::string& flaw) {
-  return flaw.starts_with(reversedFlaw) || flaw.starts_with(slippedFlaw);
+  return flaw.starts_with(reversedJoint) || flaw.starts_with(countSlip);
 }
 
 /// Whether an unknown can have one sign only: a spring is soft, a gear has play.
@@ -170,12 +167,6 @@ BoardCorners visibleMarks(const CameraIntrinsics& camera, const Board& board,
     }
   }
   return seen;
-}
-
-RigidTransform worldFromTracker(const CaptureSet& set, const std::string& id) {
-  const auto& trackers = set.instruments.trackers;
-  return transformOf(
-      *std::find_if(trackers.begin(), trackers.end(), [&](const Tracker& one) { return one.id == id; })->placement);
 }
 
 } // namespace
@@ -261,7 +252,7 @@ std::vector<TrueEffect> TrueRobot::listEffects() const {
     if (isSetUp(flaw)) {
       const std::size_t split = flaw.find('@');
       result.push_back({flaw.substr(0, split), flaw.substr(split + 1), {}});
-      if (flaw.starts_with(slippedFlaw)) {
+      if (flaw.starts_with(countSlip)) {
         result.back().unknowns.push_back({"n", 1, "1"});
       }
     }
@@ -315,23 +306,22 @@ void TrueRobot::requireSetUp(const std::string& flaw) const {
     throw InputError{fmt::format("'{}' names no joint of the robot; near it are {}", flaw,
                                  fmt::join(closestNames(joint, set_.jointNames), ", "))};
   }
-  if (flaw.starts_with(slippedFlaw) && !set_.slipSteps.contains(joint)) {
+  if (flaw.starts_with(countSlip) && !set_.slipSteps.contains(joint)) {
     throw InputError{fmt::format("'{}' needs the motor's turn at the joint: expected slipSteps.{} in the scene, found "
                                  "none",
                                  flaw, joint)};
   }
 }
 
-/// The largest load of a joint in the probed poses, about its axis (0) or its normals (1, 2) [Nm].
+/// The largest load of a joint in the probed poses, about its axis (0) or, of a robot with a URDF, its normals (1, 2)
+/// [Nm].
 double TrueRobot::largestLoad(std::size_t joint, std::size_t about) const {
   double largest = 0;
   for (const PoseGroup& pose : measurements_.poses) {
     const ImageObservation& picture = measurements_.pictures[pose.readings.front().pictures.front()];
     const RobotSample sample = sampleAt(measurements_, Model{}, picture, {});
-    const bool hasLateral = sample.lateralTorque.cols() > 0;
-    const double load = about == 0   ? sample.torque[eigenIndex(joint)]
-                        : hasLateral ? sample.lateralTorque(eigenIndex(about - 1), eigenIndex(joint))
-                                     : 0;
+    const double load =
+        about == 0 ? sample.torque[eigenIndex(joint)] : sample.lateralTorque(eigenIndex(about - 1), eigenIndex(joint));
     largest = std::max(largest, std::abs(load));
   }
   return largest;
@@ -341,9 +331,11 @@ double TrueRobot::largestLoad(std::size_t joint, std::size_t about) const {
 double TrueRobot::plausibleSize(const Term& term, std::size_t unknown) const {
   constexpr double largestYield = 0.02; // [rad]
   const double size = term.effect.unknowns[unknown].sigma;
-  const bool isSpring = term.effect.unknowns[unknown].unit == "rad/Nm";
+  if (term.effect.unknowns[unknown].unit != "rad/Nm") {
+    return size;
+  }
   const bool isLateral = term.effect.drivers.front() == Driver::lateral1;
-  const double load = isSpring ? largestLoad(term.placeIndex, isLateral ? unknown + 1 : 0) : 0;
+  const double load = largestLoad(term.placeIndex, isLateral ? unknown + 1 : 0);
   return load > 0 ? std::min(size, largestYield / load) : size;
 }
 
@@ -382,7 +374,7 @@ void TrueRobot::drawFlaws() {
 
 std::vector<BoardCorners> TrueRobot::seeCorners(const ImageObservation& picture, const ModelState& state,
                                                 const LinkPoses& torsoFromLink) const {
-  static const Eigen::Matrix3d cameraFromOptical{{0, 0, 1}, {-1, 0, 0}, {0, -1, 0}};
+  const Eigen::Matrix3d cameraFromOptical = opticalFromCamera().transpose();
   CameraIntrinsics camera = set_.cameras.at(robot_.cameras[picture.camera].name);
   camera.fx = state.lens()[0];
   camera.fy = state.lens()[1];
@@ -438,7 +430,8 @@ void TrueRobot::track(const ImageObservation& picture, const ModelState& state, 
     const bool isPoint = i < capture.points.size();
     const std::string& tracker =
         isPoint ? capture.points[i].tracker : capture.frames[i - capture.points.size()].tracker;
-    const RigidTransform torsoFromTracker = torsoFromWorld * worldFromTracker(set_, tracker);
+    const RigidTransform torsoFromTracker =
+        torsoFromWorld * transformFromPlacement(findTracker(set_, tracker).placement->numbers());
     if (!isInSight(torsoFromTracker.translation, torsoFromTracker * xyz, torsoFromLink)) {
       continue;
     }

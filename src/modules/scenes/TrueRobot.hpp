@@ -5,13 +5,9 @@
 #include "scenes/SceneSimulation.hpp"
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace naocal {
-
-/// Flaws of the set-up rather than of the robot, up to the joint's name.
-inline constexpr std::string_view reversedFlaw = "reversedJoint@", slippedFlaw = "countSlip@";
 
 inline constexpr std::size_t mostTries = 4000; // poses drawn per pose wanted
 

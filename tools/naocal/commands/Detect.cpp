@@ -15,6 +15,7 @@
 #include <chrono>
 #include <csignal>
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -119,6 +120,13 @@ void printFindings(const SetDetection& detection) {
   }
 }
 
+/// For example "2 of 24 pictures cannot be used (captures 4, 9)".
+std::string countUnreadable(const SetDetection& detection) {
+  const std::size_t count = detection.unreadable.size(), all = detection.pictures + count;
+  return fmt::format("{} of {} picture{} cannot be used (capture{} {})", count, all, all == 1 ? "" : "s",
+                     count == 1 ? "" : "s", fmt::join(detection.unreadableCaptures, ", "));
+}
+
 void detectSet(const DetectCommand& command) {
   CaptureSet set = readCaptureSet(command.set).set;
   std::signal(SIGINT, [](int) { interrupted = 1; });
@@ -134,8 +142,8 @@ void detectSet(const DetectCommand& command) {
   });
   std::signal(SIGINT, SIG_DFL);
   if (!detection.unreadable.empty() && !command.skipBad) {
-    throw InputError{fmt::format("{}; nothing was written (--skip-bad goes on with the other pictures)",
-                                 detection.unreadable.front())};
+    throw InputError{fmt::format("{}; {}, nothing was written (--skip-bad goes on with the other pictures)",
+                                 detection.unreadable.front(), countUnreadable(detection))};
   }
   if (!command.dryRun) {
     removeAbandonedWritesOf(std::filesystem::path{command.set} / "captures.json");
@@ -165,6 +173,9 @@ void detectSet(const DetectCommand& command) {
               all - detection.pictures - detection.unreadable.size());
   }
   printText("{}\n", command.dryRun ? "nothing was written" : "the corners are written into the set");
+  if (!detection.unreadable.empty()) {
+    printText("{}: these captures are left as they were\n", countUnreadable(detection));
+  }
 }
 
 } // namespace

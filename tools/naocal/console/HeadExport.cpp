@@ -19,6 +19,7 @@ namespace {
 
 struct Found {
   RobotCalibration calibration;
+  std::vector<std::string> unlearned;  // offsets and directions of cameras that the captures do not tell
   std::vector<std::string> otherTerms; // effects that are neither an offset nor the direction of a camera
   std::string set;                     // folder of the captures
 };
@@ -36,14 +37,23 @@ std::optional<Eigen::Vector3d> valuesOf(const StoredResult& result, const std::s
   return vector;
 }
 
+/// What is learned; of a camera's rotation one angle suffices, as the others may be traded against the neck's offset.
 Found fromTerms(const StoredResult& result) {
   Found found;
   for (const std::string& term : result.terms) {
     const std::string effect = term.substr(0, term.find('@')), place = term.substr(term.find('@') + 1);
     if (effect == effectName::jointOffset) {
-      found.calibration.offsets[place] = result.values.at(term + ".o");
+      if (isLearned(result, term + ".o")) {
+        found.calibration.offsets[place] = result.values.at(term + ".o");
+      } else {
+        found.unlearned.push_back("the offset of " + place);
+      }
     } else if (effect == effectName::cameraRotation) {
-      found.calibration.cameras[place].rotation = valuesOf(result, term, {"rx", "ry", "rz"});
+      if (isLearned(result, term + ".rx") || isLearned(result, term + ".ry") || isLearned(result, term + ".rz")) {
+        found.calibration.cameras[place].rotation = valuesOf(result, term, {"rx", "ry", "rz"});
+      } else {
+        found.unlearned.push_back("the rotation of camera " + place);
+      }
     } else if (effect == effectName::cameraTranslation) {
       found.calibration.cameras[place].translation = valuesOf(result, term, {"x", "y", "z"});
     } else if (!term.starts_with("board")) {
@@ -105,6 +115,12 @@ void exportHead(const HeadDialect& dialect, const std::string& resultFile, const
   const Found found = readFound(resultFile, options);
   const Robot robot = robotOf(found.set);
   const HeadCamera head = describeHeadCamera(robot, camera, found.calibration);
+  const bool hasBase = dialect.hasBase && head.base && head.base->offset;
+  if (!head.calibrated && !hasBase) {
+    throw InputError{fmt::format("{}: expected a direction of camera {} that is learned, found none: neither its "
+                                 "rotation nor the offset of {} is",
+                                 resultFile, head.name, head.neckJoint)};
+  }
   if (!std::filesystem::is_regular_file(file)) {
     throw InputError{fmt::format("--output: expected the file of {} to change ({}), found none at {}", dialect.name,
                                  dialect.what, file)};
@@ -114,6 +130,10 @@ void exportHead(const HeadDialect& dialect, const std::string& resultFile, const
   if (head.neckOffset != 0) {
     printText("the direction of camera {} includes the offset of {} ({:.4f}°)\n", head.name, head.neckJoint,
               degrees(head.neckOffset));
+  }
+  if (!found.unlearned.empty()) {
+    printText("left as they are in the file, less than 50 % learned: {}\n",
+              fmt::format("{}", fmt::join(found.unlearned, ", ")));
   }
   const std::vector<std::string> words = homeless(dialect, found, head);
   if (!words.empty()) {

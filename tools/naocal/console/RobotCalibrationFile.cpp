@@ -49,6 +49,11 @@ std::vector<std::string> findCaptureFolders(const StoredResult& result, const st
   return folders;
 }
 
+bool isLearned(const StoredResult& result, const std::string& unknown) {
+  const auto found = result.learned.find(unknown);
+  return found == result.learned.end() || isLearned({.learned = found->second});
+}
+
 void requireUsable(const StoredResult& result, const std::string& file) {
   if (!result.usable) {
     throw InputError{fmt::format("{}: expected a result that can be used, found one with the verdict do-not-use: {} "
@@ -130,8 +135,7 @@ LoadedCalibration fromResult(const nlohmann::json& document, const std::string& 
     loaded.calibration.offsets[joint.joint] = joint.constant();
   }
   std::erase_if(loaded.calibration.offsets, [&](const auto& offset) {
-    const auto learned = loaded.result.learned.find(fmt::format("jointOffset@{}.o", offset.first));
-    const bool leftOut = learned != loaded.result.learned.end() && !isLearned({.learned = learned->second});
+    const bool leftOut = !isLearned(loaded.result, fmt::format("jointOffset@{}.o", offset.first));
     if (leftOut) {
       loaded.unlearned.push_back(offset.first);
     }

@@ -44,6 +44,9 @@ LoadedCalibration loadCalibration(const std::string& file, const PostureOptions&
 std::vector<std::string> findCaptureFolders(const StoredResult& result, const std::string& file,
                                             const PostureOptions& options);
 
+/// Whether the captures told an unknown of a result ("jointOffset@LKneePitch.o"): at least 50 % learned.
+bool isLearned(const StoredResult& result, const std::string& unknown);
+
 /// Throws InputError for a result that should not be used.
 void requireUsable(const StoredResult& result, const std::string& file);
 

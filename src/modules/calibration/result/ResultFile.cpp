@@ -336,6 +336,9 @@ json resultJson(const FittedModel& fitted, const ResultSources& inputs) {
                     {"define", definitions(fitted.model)}}},
                   {"cameras", camerasJson(*fitted.measurements.sets)},
                   {"sightings", residualsJson(fitted.measurements, fitted.fit)}});
+  if (fitted.measurements.hasUnknownSteps()) {
+    result["noise"]["unknownSteps"] = true;
+  }
   if (const ErrorUnit unit = errorUnitOf(fitted.measurements, fitted.fit.noise); unit.perPx != 1) {
     result["errorUnit"] = toJson(unit);
   }

@@ -181,23 +181,24 @@ void checkFloorError(CalibrationResult& result) {
   }
 }
 
+/// Warns of doubtful measurements of one kind: "corner", "reading".
+void warnOfDoubtful(std::size_t count, const char* kind, CalibrationResult& result) {
+  if (count > 0) {
+    const bool single = count == 1;
+    warn(About::fit,
+         fmt::format("{} {}{} {} not fit the rest and got little or no weight: listed under doubtful", count, kind,
+                     single ? "" : "s", single ? "does" : "do"),
+         result);
+  }
+}
+
 void warnOfOutliers(CalibrationResult& result) {
   std::size_t corners = 0;
   for (const Outlier& outlier : result.outliers) {
     corners += outlier.corners.size();
   }
-  if (const std::size_t readings = result.doubtfulReadings.size(); readings > 0) {
-    warn(About::fit,
-         fmt::format("{} not fit the rest and got little or no weight: listed under doubtful",
-                     readings == 1 ? std::string{"1 reading does"} : fmt::format("{} readings do", readings)),
-         result);
-  }
-  if (corners > 0) {
-    warn(About::fit,
-         fmt::format("{} not fit the rest and got little or no weight: listed under doubtful",
-                     corners == 1 ? std::string{"1 corner does"} : fmt::format("{} corners do", corners)),
-         result);
-  }
+  warnOfDoubtful(result.doubtfulReadings.size(), "reading", result);
+  warnOfDoubtful(corners, "corner", result);
 }
 
 /// The most probable cause of the misfit, if something is missing.

@@ -1,5 +1,6 @@
 #include "calibration/result/Wording.hpp"
 #include "effects/Catalogue.hpp"
+#include "math/Angles.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -102,6 +103,13 @@ std::string describeImitator(const Term& term) {
   default:
     return fmt::format("where the robot stands in stance {}", term.placeName);
   }
+}
+
+std::string formatJointNoise(const Noise& noise, bool hasUnknownSteps) {
+  const std::string encoders = hasUnknownSteps ? "encoders' steps unknown, their noise part of the"
+                                               : fmt::format("encoders {:.4f}°,", degrees(noise.encoder));
+  return fmt::format("{} joint scatter {:.4f}° from pose to pose{}", encoders, degrees(noise.pose),
+                     noise.stance > 0 ? fmt::format(" and {:.4f}° from stance to stance", degrees(noise.stance)) : "");
 }
 
 std::string joinWords(const std::vector<std::string>& words) {

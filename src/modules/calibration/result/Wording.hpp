@@ -1,6 +1,7 @@
 #pragma once
 
 #include "estimation/Model.hpp"
+#include "measurements/Noise.hpp"
 
 #include <string>
 #include <vector>
@@ -12,6 +13,10 @@ namespace naocal {
 std::string describeUnknown(const Term& term, std::size_t unknown);
 /// A term that can imitate a joint's offset, an unknown placement or a link geometry: "where tracker vicon stands".
 std::string describeImitator(const Term& term);
+
+/// Noise of encoders and joints, 1 sigma: "encoders 0.0250°, joint scatter 0.0123° from pose to pose and 0.0100° from
+/// stance to stance". `hasUnknownSteps`: an encoder's noise is part of the scatter (`Measurements::hasUnknownSteps`).
+std::string formatJointNoise(const Noise& noise, bool hasUnknownSteps);
 
 /// "a", "a and b", "a, b and c".
 std::string joinWords(const std::vector<std::string>& words);

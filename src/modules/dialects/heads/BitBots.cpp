@@ -16,6 +16,12 @@ YamlCursor cameraNode(const YamlCursor& top) {
   return top.at("/bitbots_extrinsic_camera_calibration").at("ros__parameters");
 }
 
+/// ROS would take a whole number for another type.
+std::string printRosAngle(double angle) {
+  const std::string number = printRadian(angle);
+  return number.find('.') == std::string::npos ? number + ".0" : number;
+}
+
 /// neckFromUncalibrated.
 Eigen::Matrix3d uncalibratedFrame(const Robot& robot, const HeadCamera& head) {
   constexpr const char* older = "camera_optical_frame_uncalibrated";
@@ -27,12 +33,11 @@ Eigen::Matrix3d uncalibratedFrame(const Robot& robot, const HeadCamera& head) {
 std::string writeBitBots(const std::string& text, const std::string& file, const Robot& robot, const HeadCamera& head) {
   InPlaceText edited{text, file, InPlaceSyntax::yaml};
   const YamlCursor node = cameraNode(edited.top());
-  const Eigen::Vector3d angles = anglesZyx(uncalibratedFrame(robot, head).transpose() * head.calibrated.rotation *
-                                           opticalFromCamera().transpose());
-  for (std::size_t i = 0; i < angleKeys.size(); ++i) {
-    const std::string number = printDecimal(angles[static_cast<Eigen::Index>(i)], decimals::radian);
-    const bool isWhole = number.find('.') == std::string::npos; // ROS would take an integer for another type
-    edited.replace(node.at(angleKeys[i]), isWhole ? number + ".0" : number);
+  const Eigen::Matrix3d frame = uncalibratedFrame(robot, head);
+  if (head.calibrated) {
+    edited.replace(node.at(angleKeys),
+                   anglesZyx(frame.transpose() * head.calibrated->rotation * opticalFromCamera().transpose()),
+                   printRosAngle);
   }
   return edited.edited();
 }

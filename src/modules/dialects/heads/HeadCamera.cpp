@@ -52,9 +52,9 @@ PlaceOnLink climbFixed(const Robot& robot, PlaceOnLink place) {
   return place;
 }
 
-double offsetOf(const RobotCalibration& calibration, const std::string& joint) {
+std::optional<double> offsetOf(const RobotCalibration& calibration, const std::string& joint) {
   const auto found = calibration.offsets.find(joint);
-  return found == calibration.offsets.end() ? 0 : found->second;
+  return found == calibration.offsets.end() ? std::nullopt : std::optional{found->second};
 }
 
 std::optional<HeadCamera::BaseJoint> findBase(const Robot& robot, std::size_t neck,
@@ -90,14 +90,17 @@ HeadCamera describeHeadCamera(const Robot& robot, const std::string& camera, con
   head.neckJoint = joint.name;
   head.neckLink = robot.links[carrier.link].name;
   head.neckAxis = joint.axis;
-  head.neckOffset = offsetOf(calibration, joint.name);
+  const std::optional<double> neckOffset = offsetOf(calibration, joint.name);
+  head.neckOffset = neckOffset.value_or(0);
   head.drawn = carrier.transform * RigidTransform{mount.rotation, mount.translation};
   const auto found = calibration.cameras.find(mount.name);
   const CameraCalibration own = found == calibration.cameras.end() ? CameraCalibration{} : found->second;
   const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
-  head.calibrated = RigidTransform{rotationAbout(-head.neckOffset * joint.axis), zero} * carrier.transform *
-                    RigidTransform{mount.rotation * rotationXyz(own.rotation.value_or(zero)),
-                                   mount.translation + own.translation.value_or(zero)};
+  if (own.rotation || neckOffset) {
+    head.calibrated = RigidTransform{rotationAbout(-head.neckOffset * joint.axis), zero} * carrier.transform *
+                      RigidTransform{mount.rotation * rotationXyz(own.rotation.value_or(zero)),
+                                     mount.translation + own.translation.value_or(zero)};
+  }
   head.base = findBase(robot, carrier.link, calibration);
   return head;
 }

@@ -22,14 +22,15 @@ struct HeadCamera {
   struct BaseJoint {
     std::string name;
     Eigen::Vector3d axis = Eigen::Vector3d::UnitZ(); // in the root's frame
-    double offset = 0;                               // reading minus true angle [rad]
+    std::optional<double> offset;                    // reading minus true angle [rad]; absent: unknown
   };
 
   std::string name; // of the camera
   std::string neckJoint, neckLink;
   Eigen::Vector3d neckAxis = Eigen::Vector3d::UnitY(); // in the neck's frame
   double neckOffset = 0;                               // [rad]; part of `calibrated`
-  RigidTransform drawn, calibrated;                    // neckFromCamera
+  RigidTransform drawn;                                // neckFromCamera without corrections
+  std::optional<RigidTransform> calibrated; // neckFromCamera; absent: neither rotation nor neck's offset known
   std::optional<BaseJoint> base;
 };
 

@@ -32,10 +32,7 @@ Eigen::Matrix3d readTurn(const YamlCursor& at) {
 
 void writeTurn(const YamlCursor& at, const Eigen::Vector3d& angles, InPlaceText& text) {
   (void)at.numbers(3);
-  const std::vector<YamlCursor> elements = at.elements();
-  for (std::size_t i = 0; i < elements.size(); ++i) {
-    text.replace(elements[i], printDecimal(angles[static_cast<Eigen::Index>(i)], decimals::radian));
-  }
+  text.replace(at.elements(), angles, printRadian);
 }
 
 /// opticalFromHead without correction_in_camera.
@@ -59,10 +56,14 @@ std::string writeHulksK1(const std::string& text, const std::string& file, const
   requireK1(head, file);
   InPlaceText edited{text, file, InPlaceSyntax::json5};
   const YamlCursor corrections = findCorrections(edited.top());
-  const Eigen::Matrix3d inCamera =
-      opticalFromCamera() * head.calibrated.rotation.transpose() * opticalFromHead(corrections).transpose();
-  writeTurn(corrections.at("correction_in_robot"), {0, 0, head.base->offset}, edited);
-  writeTurn(corrections.at("correction_in_camera"), anglesZyx(inCamera), edited);
+  if (head.base->offset) {
+    writeTurn(corrections.at("correction_in_robot"), {0, 0, *head.base->offset}, edited);
+  }
+  if (head.calibrated) {
+    const Eigen::Matrix3d inCamera =
+        opticalFromCamera() * head.calibrated->rotation.transpose() * opticalFromHead(corrections).transpose();
+    writeTurn(corrections.at("correction_in_camera"), anglesZyx(inCamera), edited);
+  }
   return edited.edited();
 }
 

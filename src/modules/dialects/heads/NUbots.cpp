@@ -37,6 +37,11 @@ double evaluateAngle(const YamlCursor& at) {
   return value;
 }
 
+/// For example "1.5 * pi / 180".
+std::string printExpression(double angle) {
+  return printDecimal(degrees(angle), decimals::degree) + " * pi / 180";
+}
+
 /// Angles (roll, pitch, yaw) with r = Rx(yaw) Rz(pitch) Ry(roll).
 Eigen::Vector3d offsetAngles(const Eigen::Matrix3d& r) {
   return {std::atan2(r(0, 2), r(0, 0)), std::asin(std::clamp(-r(0, 1), -1.0, 1.0)), std::atan2(r(2, 1), r(1, 1))};
@@ -83,18 +88,14 @@ NUbotsPlaces findPlaces(const YamlCursor& top, const std::string& file, const Ro
 std::string writeNUbots(const std::string& text, const std::string& file, const Robot& robot, const HeadCamera& head) {
   InPlaceText edited{text, file, InPlaceSyntax::yaml};
   const NUbotsPlaces places = findPlaces(edited.top(), file, robot, head);
+  if (!head.calibrated) {
+    return text;
+  }
   if (places.offsets) {
-    const Eigen::Vector3d angles = offsetAngles(head.calibrated.rotation * places.base.transpose());
-    for (std::size_t i = 0; i < offsetKeys.size(); ++i) {
-      edited.replace(places.offsets->at(offsetKeys[i]),
-                     printDecimal(degrees(angles[static_cast<Eigen::Index>(i)]), decimals::degree) + " * pi / 180");
-    }
+    const Eigen::Vector3d angles = offsetAngles(head.calibrated->rotation * places.base.transpose());
+    edited.replace(places.offsets->at(offsetKeys), angles, printExpression);
   } else {
-    const Eigen::Vector3d angles = anglesZyx(head.calibrated.rotation);
-    const std::vector<YamlCursor> elements = places.angles->elements();
-    for (std::size_t i = 0; i < elements.size(); ++i) {
-      edited.replace(elements[i], printDecimal(angles[static_cast<Eigen::Index>(i)], decimals::radian));
-    }
+    edited.replace(places.angles->elements(), anglesZyx(head.calibrated->rotation), printRadian);
   }
   return edited.edited();
 }

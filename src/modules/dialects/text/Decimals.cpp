@@ -14,6 +14,10 @@ std::string printDecimal(double number, int digits) {
   return text == "-0" ? "0" : text;
 }
 
+std::string printRadian(double angle) {
+  return printDecimal(angle, decimals::radian);
+}
+
 double roundDecimal(double number, int digits) {
   const std::string text = printDecimal(number, digits);
   double rounded = number; // infinity and NaN stay

@@ -18,7 +18,10 @@ inline constexpr int matrix = 12; // entries of a rotation
 /// The number rounded to some digits behind the point, without zeros at its end: "-2.27", "0".
 std::string printDecimal(double number, int digits);
 
-/// The same as a number: a JSON writer prints no more digits of it.
+/// An angle [rad] with the digits of radians.
+std::string printRadian(double angle);
+
+/// The number as `printDecimal` prints it: a JSON writer prints no more digits of it.
 double roundDecimal(double number, int digits);
 
 } // namespace naocal

@@ -1,6 +1,7 @@
 #include "dialects/text/InPlaceText.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 namespace naocal {
@@ -41,6 +42,14 @@ void InPlaceText::replace(const YamlCursor& value, const std::string& written) {
     value.refuse("a value on one line, without escapes", "another");
   }
   replacements_.insert_or_assign(start, Replacement{before.size(), written});
+}
+
+void InPlaceText::replace(const std::vector<YamlCursor>& values, const Eigen::Vector3d& numbers,
+                          std::string (*print)(double)) {
+  assert(values.size() == 3);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    replace(values[i], print(numbers[static_cast<Eigen::Index>(i)]));
+  }
 }
 
 std::string InPlaceText::edited() const {

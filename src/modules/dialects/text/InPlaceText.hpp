@@ -2,8 +2,10 @@
 
 #include "dialects/text/YamlText.hpp"
 
+#include <Eigen/Core>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace naocal {
 
@@ -22,6 +24,9 @@ public:
 
   /// Writes `written` in place of a number or text. Throws InputError for one that spans lines or has escapes.
   void replace(const YamlCursor& value, const std::string& written);
+
+  /// Writes three numbers in place of three values, each as `print` forms it.
+  void replace(const std::vector<YamlCursor>& values, const Eigen::Vector3d& numbers, std::string (*print)(double));
 
   /// The text with all replacements.
   std::string edited() const;

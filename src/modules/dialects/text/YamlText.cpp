@@ -39,6 +39,14 @@ YamlCursor YamlCursor::at(const std::string& key) const {
   return {static_cast<const YAML::Node&>(node_)[key], file_, path_.empty() ? key : path_ + "." + key};
 }
 
+std::vector<YamlCursor> YamlCursor::at(std::span<const char* const> keys) const {
+  std::vector<YamlCursor> all;
+  for (const char* const key : keys) {
+    all.push_back(at(key));
+  }
+  return all;
+}
+
 std::vector<std::pair<std::string, YamlCursor>> YamlCursor::members() const {
   if (!node_.IsMap()) {
     refuse("keys and values", found());

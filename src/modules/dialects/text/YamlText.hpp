@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <span>
 #include <string>
 #include <vector>
 #include <yaml-cpp/yaml.h>
@@ -14,7 +15,8 @@ public:
   YamlCursor(const std::string& text, std::string file);
 
   bool has(const std::string& key) const;
-  YamlCursor at(const std::string& key) const; // throws without the key
+  YamlCursor at(const std::string& key) const;                         // throws without the key
+  std::vector<YamlCursor> at(std::span<const char* const> keys) const; // in this order
   std::vector<std::pair<std::string, YamlCursor>> members() const;
   std::vector<YamlCursor> elements() const;
 

@@ -18,7 +18,6 @@
 #include "simulation/StandingPoses.hpp"
 
 #include <CLI/CLI.hpp>
-#include <charconv>
 #include <cstdio>
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -59,16 +58,9 @@ std::map<std::string, CameraIntrinsics> cameras(const std::string& size) {
 
 /// Adds poses: the requested number, or those of a file.
 void addPoses(const SimulateOptions& options, const Robot& robot, SimulationPlan& plan) {
-  constexpr std::size_t most = 1000;
-  std::size_t count = 0;
-  const char* end = options.poses.data() + options.poses.size();
   const bool isNegative = options.poses.starts_with('-');
-  if (const auto [rest, error] = std::from_chars(options.poses.data() + (isNegative ? 1 : 0), end, count);
-      rest == end) {
-    if (isNegative || error != std::errc{} || count < 1 || count > most) {
-      throw InputError{
-          fmt::format("--poses: expected a whole number, 1 to {}, or a pose file, found \"{}\"", most, options.poses)};
-    }
+  if (options.poses.find_first_not_of("0123456789", isNegative ? 1 : 0) == std::string::npos) {
+    const std::size_t count = parsePoseCount(options.poses, "or a pose file");
     plan.poses = planStandingPoses(robot, plan, feet.at(options.support), count, options.seed);
     return;
   }

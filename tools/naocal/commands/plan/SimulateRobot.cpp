@@ -34,19 +34,18 @@ constexpr NaoOption naoOptions[]{{"--boards", "a scene says which boards there a
                                  {"--vignetting", ofPictures},
                                  {"--jpeg-quality", ofPictures}};
 
-std::size_t countPoses(const std::string& poses) {
+} // namespace
+
+std::size_t parsePoseCount(const std::string& poses, const std::string& remark) {
   constexpr std::size_t most = 1000;
   std::size_t count = 0;
   const char* const end = poses.data() + poses.size();
   const auto [rest, error] = std::from_chars(poses.data(), end, count);
   if (rest != end || error != std::errc{} || count < 1 || count > most) {
-    throw InputError{fmt::format("--poses: expected a whole number, 1 to {}, for a robot that is no NAO, found \"{}\"",
-                                 most, poses)};
+    throw InputError{fmt::format("--poses: expected a whole number, 1 to {}, {}, found \"{}\"", most, remark, poses)};
   }
   return count;
 }
-
-} // namespace
 
 bool isOtherRobot(const std::string& robot) {
   return isUrdf(robot) || !hasPlannableLegs(loadRobot(configurationDirectory(), robot));
@@ -72,7 +71,7 @@ SceneSimulation simulateRobot(RobotSimulation asked) {
   }
   const CaptureSet robot =
       makeRobotOnly(asked.robot, asked.support == "right" ? SupportFoot::right : SupportFoot::left);
-  asked.plan.poses = countPoses(asked.poses);
+  asked.plan.poses = parsePoseCount(asked.poses, "for a robot that is no NAO");
   RobotScene scene =
       asked.scene.empty() ? makeDefaultScene(robot, asked.plan.seed) : readRobotScene(asked.scene, robot);
   if (asked.hasPixelNoise) {

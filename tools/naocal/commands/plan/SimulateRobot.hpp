@@ -16,6 +16,10 @@ struct RobotSimulation {
   ScenePlan plan;                           // but for the number of poses
 };
 
+/// The number of poses that --poses asks for. Throws InputError for anything but a whole number, 1 to 1000; `remark`
+/// completes what was expected: "or a pose file".
+std::size_t parsePoseCount(const std::string& poses, const std::string& remark);
+
 /// Whether the robot is none of those that `simulate` plans standing poses for: a URDF, or a model with other legs.
 bool isOtherRobot(const std::string& robot);
 

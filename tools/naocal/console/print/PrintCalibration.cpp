@@ -1,6 +1,7 @@
 #include "console/print/PrintCalibration.hpp"
 
 #include "calibration/result/Verdict.hpp"
+#include "calibration/result/Wording.hpp"
 #include "console/print/PrintText.hpp"
 #include "effects/Catalogue.hpp"
 #include "io/Units.hpp"
@@ -73,16 +74,12 @@ void printCalibration(const FittedModel& fitted) {
   }
   printText("chi2/dof {:.3f}, p {:.2g}\n", fitted.fit.chi2 / std::max(1.0, fitted.fit.dof), fitted.fit.pValue);
   printReadings(fitted);
-  printText(
-      "noise, 1 sigma ({}): {}{}, joint scatter {:.4f}° from pose to pose{}\n", fitted.fit.noiseSource,
-      hasCorners ? fmt::format("corners {:.3f} px anew in each picture and {:.3f} px alike in all pictures of a rest, ",
-                               fitted.fit.noise.pixel, fitted.fit.noise.pixelAlike)
-                 : "",
-      fitted.measurements.hasUnknownSteps() ? std::string{"encoders' steps unknown"}
-                                            : fmt::format("encoders {:.4f}°", degrees(fitted.fit.noise.encoder)),
-      degrees(fitted.fit.noise.pose),
-      fitted.fit.noise.stance > 0 ? fmt::format(" and {:.4f}° from stance to stance", degrees(fitted.fit.noise.stance))
-                                  : "");
+  printText("noise, 1 sigma ({}): {}{}\n", fitted.fit.noiseSource,
+            hasCorners
+                ? fmt::format("corners {:.3f} px anew in each picture and {:.3f} px alike in all pictures of a rest, ",
+                              fitted.fit.noise.pixel, fitted.fit.noise.pixelAlike)
+                : "",
+            formatJointNoise(fitted.fit.noise, fitted.measurements.hasUnknownSteps()));
   if (fitted.fit.floorErrorAt2m > 0) {
     printText("a floor point 2 m ahead will be seen {:.1f} mm off (1 sigma)\n", 1e3 * fitted.fit.floorErrorAt2m);
   }
