@@ -15,6 +15,9 @@ inline constexpr std::string_view reversedFlaw = "reversedJoint@", slippedFlaw =
 
 inline constexpr std::size_t mostTries = 4000; // poses drawn per pose wanted
 
+/// What must be seen in a pose that is kept: "a camera sees eight corners of a board".
+std::string sufficientSight(const RobotScene& scene);
+
 /// A robot with true unknowns among things that truly stand somewhere; predicts what is read in a pose.
 class TrueRobot {
 public:

@@ -229,33 +229,41 @@ PoseInformation marginalInformation(PoseSystem pose, const Noise& noise, double 
   return {pose.unknowns, marginalize(pose, noise, jointErrorRoot(pose, noise)).hessian};
 }
 
-PlannedInformation predictInformation(const FittedModel& fitted, const ModelAmbiguity& question,
-                                      const std::vector<LocalScene>& around, const std::vector<ProposedPose>& poses) {
-  const Measurements& measurements = fitted.measurements;
-  const Noise& noise = fitted.fit.noise;
-  const Measurements extended = buildMeasurements(appendPlannedCaptures(*measurements.sets, measurements.robot, poses),
-                                                  measurements.robot, measurements.samePlace);
-  PlannedInformation result{buildModel(extended, question.with, question.without, question.effects), {}, {}};
-  const Model model = addHypotheses(extended, result.own, question);
+PlannedInformation linearizePlans(const Measurements& extended, const Model& model, const Noise& noise,
+                                  const Eigen::VectorXd& unknowns, std::size_t planned, double samples) {
   const Residuals residuals{extended, model, noise};
-  const auto linear = residuals.linearize(residuals.startState(extendUnknowns(fitted, extended, model, around)));
+  const auto linear = residuals.linearize(residuals.startState(unknowns));
   if (!linear) {
     throw InputError{"the fit puts a corner that was seen behind the camera: these captures do not belong together"};
   }
-  std::map<std::string, std::size_t> planned;
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    planned[plannedPoseName(i)] = i;
+  std::map<std::string, std::size_t> numbers;
+  for (std::size_t i = 0; i < planned; ++i) {
+    numbers[plannedPoseName(i)] = i;
   }
-  const double samples = samplesPerPose(measurements);
+  PlannedInformation result;
   result.known = model.sigmas().cwiseAbs2().cwiseInverse().asDiagonal();
-  result.promised.resize(poses.size());
+  result.promised.resize(planned);
   for (std::size_t pose = 0; pose < linear->poses.size(); ++pose) {
-    if (const auto found = planned.find(extended.poses[pose].name); found != planned.end()) {
+    if (const auto found = numbers.find(extended.poses[pose].name); found != numbers.end()) {
       result.promised[found->second] = marginalInformation(linear->poses[pose], noise, samples);
     } else {
       marginalInformation(linear->poses[pose], noise).addTo(result.known);
     }
   }
+  return result;
+}
+
+PlannedInformation predictInformation(const FittedModel& fitted, const ModelAmbiguity& question,
+                                      const std::vector<LocalScene>& around, const std::vector<ProposedPose>& poses) {
+  const Measurements& measurements = fitted.measurements;
+  const Measurements extended = buildMeasurements(appendPlannedCaptures(*measurements.sets, measurements.robot, poses),
+                                                  measurements.robot, measurements.samePlace);
+  Model own = buildModel(extended, question.with, question.without, question.effects);
+  const Model model = addHypotheses(extended, own, question);
+  PlannedInformation result =
+      linearizePlans(extended, model, fitted.fit.noise, extendUnknowns(fitted, extended, model, around), poses.size(),
+                     samplesPerPose(measurements));
+  result.own = std::move(own);
   return result;
 }
 

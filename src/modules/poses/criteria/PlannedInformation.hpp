@@ -66,6 +66,12 @@ struct PlannedInformation {
   std::vector<PoseInformation> promised; // per planned pose
 };
 
+/// Information of a measurement model linearised at `unknowns`, for measurements that hold captures and `planned` poses
+/// (plannedPoseName). `samples`: images of each planned pose. Does not fill `own`. Throws InputError if a corner is
+/// behind its camera there.
+PlannedInformation linearizePlans(const Measurements& extended, const Model& model, const Noise& noise,
+                                  const Eigen::VectorXd& unknowns, std::size_t planned, double samples = 1);
+
 /// Information of the measurement model linearised at the fit, for captures and planned poses (appendPlannedCaptures);
 /// the suspects' unknowns are zero. Throws InputError if the fit puts a corner behind the camera.
 PlannedInformation predictInformation(const FittedModel& fitted, const ModelAmbiguity& question,

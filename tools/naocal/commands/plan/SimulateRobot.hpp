@@ -1,8 +1,9 @@
 #pragma once
 
+#include "commands/plan/OtherRobot.hpp"
 #include "scenes/SceneSimulation.hpp"
 
-#include <CLI/App.hpp>
+#include <span>
 #include <string>
 
 namespace naocal {
@@ -13,16 +14,13 @@ struct RobotSimulation {
   bool hasPixelNoise = false;               // whether `pixelNoise` replaces the scene's
   double pixelNoise = 0;                    // [px]
   double poseNoise = 0;                     // added to the scene's if it has none [rad]
-  ScenePlan plan;                           // but for the number of poses
+  ScenePlan plan;                           // but for the poses
 };
 
-/// Whether the robot is none of those that `simulate` plans standing poses for: a URDF, or a model with other legs.
-bool isOtherRobot(const std::string& robot);
+/// Options of `naocal simulate` that only a NAO has.
+std::span<const NaoOption> naoOptionsOfSimulate();
 
-/// Throws InputError for an option that only a NAO's simulation has.
-void refuseNaoOptions(const CLI::App& simulator, const std::string& robot);
-
-/// Throws InputError for a scene, a number of poses or a flaw that this robot cannot have.
+/// Throws InputError for a scene, a number of poses, a pose file or a flaw that this robot cannot have.
 SceneSimulation simulateRobot(RobotSimulation asked);
 
 /// Copies the URDF into the set's folder and lets the set name the copy; nothing for a shipped model.
