@@ -146,15 +146,29 @@ Json boardsOf(const NextPoses& next) {
   return Json::array();
 }
 
-/// Times of direct transitions at the speed used on one foot.
+/// Times of direct transitions at the speed used on one foot; unknown for robots other than NAOs.
 std::vector<std::optional<double>> secondsBetweenThem(const NextPoses& next, const Robot& robot) {
   std::vector<std::optional<double>> result;
+  if (!hasPlannableLegs(robot)) {
+    result.resize(next.poses.size());
+    return result;
+  }
   Eigen::VectorXd before = bentKneesStance(robot);
   for (const ProposedPose& pose : next.poses) {
     result.push_back(motionTime(robot, before, pose.pose.angles, TransitionOptions{}.speed));
     before = pose.pose.angles;
   }
   return result;
+}
+
+Json assumptionsOfAnyRobot(const NextPoses& next) {
+  return {{"noise", noiseJson(next.noise)},
+          {"samples", next.samples},
+          {"angles", "what the encoders read"},
+          {"places", "everything stands where it stood when the last captures were taken"},
+          {"collisions", "no part of the robot that its description shapes touches another; ways between poses are not "
+                         "tested"},
+          {"predictedSigma", "from the captures and these poses together"}};
 }
 
 Json assumptions(const NextPoses& next) {
@@ -279,6 +293,14 @@ PlayablePose poseFrom(const JsonCursor& place, const Robot& robot) {
   return pose;
 }
 
+/// What proposed poses stand on.
+SupportFoot supportOf(const NextPoses& next, const Robot& robot) {
+  if (!hasPlannableLegs(robot)) {
+    return next.poses.empty() ? SupportFoot::none : next.poses.front().pose.supportFoot;
+  }
+  return next.around.size() == 1 ? next.around.front().supportFoot : SupportFoot::both;
+}
+
 } // namespace
 
 std::string poseId(const ProposedPose& pose, std::size_t index) {
@@ -377,24 +399,29 @@ Eigen::VectorXd readAnglesFile(const std::filesystem::path& file, const Robot& r
 }
 
 Json nextPosesJson(const NextPoses& next, const Robot& robot) {
-  return {{"poses", poseListJson(next.poses, secondsBetweenThem(next, robot), robot)},
-          {"why", next.why},
-          {"growth", next.growth},
-          {"assumptions", {{"jointError", next.jointError}}}};
+  Json result{{"poses", poseListJson(next.poses, secondsBetweenThem(next, robot), robot)},
+              {"why", next.why},
+              {"growth", next.growth},
+              {"assumptions", {{"jointError", next.jointError}}}};
+  if (!hasPlannableLegs(robot)) {
+    result["whyNone"] = next.whyNone;
+    result["assumptions"] = assumptionsOfAnyRobot(next);
+  }
+  return result;
 }
 
 Json posesJson(const NextPoses& next, const Robot& robot) {
-  const bool oneFoot = next.around.size() == 1;
-  const auto foot = [](SupportFoot each) { return std::string{supportFootWords[static_cast<std::size_t>(each)]}; };
   Json result = withFormat("naocal-poses", nextPosesJson(next, robot));
   result["robot"] = robot.model;
-  result["support"] = oneFoot ? foot(next.around.front().supportFoot) : "both";
+  result["support"] = supportFootWords[static_cast<std::size_t>(supportOf(next, robot))];
   result["candidates"] = {{"stable", next.stable}, {"seeing", next.seeing}};
-  result["boards"] = boardsOf(next);
   result["firstStance"] = next.firstStance;
   result["predictedSigma"] = next.predictedSigma;
   result["criterion"] = "discrimination";
-  result["assumptions"] = assumptions(next);
+  if (hasPlannableLegs(robot)) {
+    result["boards"] = boardsOf(next);
+    result["assumptions"] = assumptions(next);
+  }
   return result;
 }
 

@@ -15,25 +15,6 @@ namespace naocal {
 
 namespace {
 
-/// What a pose's captures show.
-PlannedPose describeSight(const CaptureSet& set, const std::vector<Capture>& captures, const Eigen::VectorXd& angles) {
-  PlannedPose pose{set.stances.front().supportFoot, angles, {}};
-  std::set<std::string> tracked;
-  for (const Capture& capture : captures) {
-    for (const BoardCorners& seen : capture.corners.value_or(std::vector<BoardCorners>{})) {
-      pose.sights.push_back({capture.camera, seen.board, seen.ids});
-    }
-    for (const PointReading& point : capture.points) {
-      tracked.insert(point.marker);
-    }
-    for (const FrameReading& frame : capture.frames) {
-      tracked.insert(frame.frame);
-    }
-  }
-  pose.tracked.assign(tracked.begin(), tracked.end());
-  return pose;
-}
-
 /// Noise of the captures of a scene, as `solve` describes it: encoders whose steps nobody tells scatter with the poses.
 Noise assumedNoise(const RobotScene& scene) {
   const CaptureSet& set = scene.set;
@@ -61,8 +42,7 @@ void addCandidate(const Robot& robot, const std::vector<Capture>& sights, const 
                   CandidateCaptures& candidates) {
   CaptureSet& set = candidates.set;
   for (Capture capture : sights) {
-    const bool showsNothing = !capture.corners || capture.corners->empty();
-    if (showsNothing && capture.points.empty() && capture.frames.empty()) {
+    if (!showsAnything(capture)) {
       continue;
     }
     capture.id = static_cast<int>(set.captures.size());
@@ -78,6 +58,28 @@ void addCandidate(const Robot& robot, const std::vector<Capture>& sights, const 
 }
 
 } // namespace
+
+PlannedPose describeSight(const CaptureSet& set, const std::vector<Capture>& captures, const Eigen::VectorXd& angles) {
+  PlannedPose pose{set.stances.front().supportFoot, angles, {}};
+  std::set<std::string> tracked;
+  for (const Capture& capture : captures) {
+    for (const BoardCorners& seen : capture.corners.value_or(std::vector<BoardCorners>{})) {
+      pose.sights.push_back({capture.camera, seen.board, seen.ids});
+    }
+    for (const PointReading& point : capture.points) {
+      tracked.insert(point.marker);
+    }
+    for (const FrameReading& frame : capture.frames) {
+      tracked.insert(frame.frame);
+    }
+  }
+  pose.tracked.assign(tracked.begin(), tracked.end());
+  return pose;
+}
+
+bool showsAnything(const Capture& capture) {
+  return (capture.corners && !capture.corners->empty()) || !capture.points.empty() || !capture.frames.empty();
+}
 
 CandidateCaptures drawCandidates(const RobotScene& scene, const SceneCandidatesOptions& options) {
   ScenePlan still{.given = {}, .seed = options.seed, .robotSeed = {}, .sceneSeed = {}, .spread = 0};

@@ -13,6 +13,12 @@ struct SceneCandidatesOptions {
   std::uint64_t seed = 1;
 };
 
+/// What the captures of a pose show. `set`: what they are of; `angles`: of the pose [rad].
+PlannedPose describeSight(const CaptureSet& set, const std::vector<Capture>& captures, const Eigen::VectorXd& angles);
+
+/// Whether a capture holds a corner or a reading.
+bool showsAnything(const Capture& capture);
+
 /// Draws candidate poses of a robot without offsets among things that stand exactly where its scene says (ScenePoses),
 /// and keeps those in which a camera sees eight corners of a board, or, in a scene without cameras, a tracker sees a
 /// marker or frame. Approaches are random. Reproducible by seed.

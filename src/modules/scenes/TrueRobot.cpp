@@ -55,7 +55,7 @@ public:
       marker.point = marker.point ? *marker.point : drawPoint(marker);
     }
     Stance& stance = placed.stances.front();
-    if (standsOnSole(scene_.set)) {
+    if (standsOnSole(scene_.set) && !stance.placement) {
       stance.placement = spread({}, true);
     }
     return placed;
@@ -252,6 +252,17 @@ Eigen::VectorXd TrueRobot::recordedAt(const Eigen::VectorXd& angles) const {
     }
   }
   return recorded;
+}
+
+void TrueRobot::adoptFit(const Model& fitted, const Eigen::VectorXd& unknowns, const std::vector<Effect>& effects) {
+  std::vector<std::string> with;
+  for (const Term& term : fitted.terms()) {
+    if (!term.isPlacement && term.requested && !term.effect.inBaseModel) {
+      with.push_back(term.label());
+    }
+  }
+  model_ = buildModel(measurements_, with, {}, effects);
+  unknowns_ = mapParameters(fitted, unknowns, model_);
 }
 
 std::vector<TrueEffect> TrueRobot::listEffects() const {

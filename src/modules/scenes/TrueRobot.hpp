@@ -26,6 +26,10 @@ public:
   TrueRobot(RobotScene&&, const ScenePlan&) = delete;
   TrueRobot(const RobotScene&, ScenePlan&&) = delete;
 
+  /// Replaces the true unknowns by those of a fit; what it does not hold is zero. `effects`: definitions of its terms.
+  /// Throws InputError for terms that cannot act in this scene.
+  void adoptFit(const Model& fitted, const Eigen::VectorXd& unknowns, const std::vector<Effect>& effects);
+
   /// A pose as it is read.
   struct Pose {
     Eigen::VectorXd recorded; // encoder angles without noise, one per joint [rad]

@@ -31,26 +31,6 @@ std::vector<double> listAngles(const CaptureSet& set, const Robot& robot, const 
   return result;
 }
 
-/// The set's last capture, changed to a planned pose.
-Capture plannedCapture(const CaptureSet& set, const Robot& robot, const ProposedPose& planned) {
-  const Capture& last = set.captures.back();
-  Capture capture;
-  capture.time = last.time + Seconds{30};
-  capture.supportFoot = planned.pose.supportFoot;
-  capture.joints.measured = listAngles(set, robot, planned.pose.angles);
-  if (!last.joints.velocity.empty()) {
-    capture.joints.velocity.assign(set.jointNames.size(), 0);
-  }
-  if (!last.joints.approach.empty()) {
-    capture.joints.approach = listAngles(set, robot, planned.approach);
-  }
-  capture.joints.temperature = last.joints.temperature;
-  capture.joints.current = last.joints.current;
-  capture.imu = last.imu;
-  capture.fsr = last.fsr;
-  return capture;
-}
-
 /// The fit's unknowns, mapped to the extended model; new stances are at the last stance's place.
 Eigen::VectorXd extendUnknowns(const FittedModel& fitted, const Measurements& extended, const Model& model,
                                const std::vector<LocalScene>& around) {
@@ -87,6 +67,26 @@ template <typename Numbers> Placement onFloor(const Numbers& numbers) {
 }
 
 } // namespace
+
+Capture plannedCapture(const CaptureSet& set, const Robot& robot, const Eigen::VectorXd& angles,
+                       const Eigen::VectorXd& approach) {
+  const Capture& last = set.captures.back();
+  Capture capture;
+  capture.time = last.time + Seconds{30};
+  capture.supportFoot = last.supportFoot;
+  capture.joints.measured = listAngles(set, robot, angles);
+  if (!last.joints.velocity.empty()) {
+    capture.joints.velocity.assign(set.jointNames.size(), 0);
+  }
+  if (!last.joints.approach.empty()) {
+    capture.joints.approach = listAngles(set, robot, approach);
+  }
+  capture.joints.temperature = last.joints.temperature;
+  capture.joints.current = last.joints.current;
+  capture.imu = last.imu;
+  capture.fsr = last.fsr;
+  return capture;
+}
 
 Eigen::VectorXd drawApproach(const Robot& robot, std::mt19937_64& random) {
   Eigen::VectorXd result(eigenIndex(robot.joints.size()));
@@ -138,7 +138,8 @@ std::vector<CaptureSet> appendPlannedCaptures(const std::vector<CaptureSet>& set
     set.stances.push_back({plannedStanceId(sets, foot), foot, std::nullopt});
   }
   for (std::size_t i = 0; i < poses.size(); ++i) {
-    Capture capture = plannedCapture(sets.back(), robot, poses[i]);
+    Capture capture = plannedCapture(sets.back(), robot, poses[i].pose.angles, poses[i].approach);
+    capture.supportFoot = poses[i].pose.supportFoot;
     capture.pose = plannedPoseName(i);
     capture.stance = plannedStanceId(sets, capture.supportFoot);
     for (const auto& [camera, lens] : set.cameras) {

@@ -34,6 +34,11 @@ std::vector<LocalScene> findLocalScenes(const FittedModel& fitted);
 std::vector<CaptureSet> appendPlannedCaptures(const std::vector<CaptureSet>& sets, const Robot& robot,
                                               const std::vector<ProposedPose>& poses);
 
+/// A set's last capture, changed to a planned pose: what it reads at other than the joints stays. `angles`: what the
+/// encoders read [rad].
+Capture plannedCapture(const CaptureSet& set, const Robot& robot, const Eigen::VectorXd& angles,
+                       const Eigen::VectorXd& approach);
+
 /// Corners visible to a camera, with pixel coordinates 0.
 std::vector<BoardCorners> cornersSeenBy(const std::string& camera, const std::vector<VisibleBoard>& sights);
 

@@ -27,8 +27,9 @@ constexpr NaoOption naoOptions[]{{"--boards", "a scene says which boards there a
                                  {"--vignetting", ofPictures},
                                  {"--jpeg-quality", ofPictures}};
 
-/// Sets the poses of a plan: a number of random ones, or those of a file for the scene's robot on the same foot.
-void setPoses(const std::string& poses, const RobotScene& scene, ScenePlan& plan) {
+/// Sets the poses of a plan: a number of random ones, or those of a file for the scene's robot on the same foot, in the
+/// file's stance.
+void setPoses(const std::string& poses, RobotScene& scene, ScenePlan& plan) {
   constexpr std::size_t most = 1000;
   const char* const end = poses.data() + poses.size();
   const auto [rest, error] = std::from_chars(poses.data(), end, plan.poses);
@@ -39,7 +40,9 @@ void setPoses(const std::string& poses, const RobotScene& scene, ScenePlan& plan
     throw InputError{
         fmt::format("--poses: expected a whole number, 1 to {}, or a pose file, found \"{}\"", most, poses)};
   }
-  plan.given = readPoseFile(poses, loadRobot(scene.set)).poses;
+  PoseFile file = readPoseFile(poses, loadRobot(scene.set));
+  plan.given = std::move(file.poses);
+  scene.set.stances.front().id = file.firstStance;
   for (const PlayablePose& pose : plan.given) {
     if (pose.supportFoot != scene.set.stances.front().supportFoot) {
       throw InputError{fmt::format("{}: expected poses on what the robot stands on here, found {} on another; give the "
