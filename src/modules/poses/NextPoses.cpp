@@ -45,8 +45,9 @@ std::vector<ProposedPose> candidates(const Robot& robot, const CaptureSet& set, 
 /// Greedily selects reachable poses of the largest gain, each given the previous ones; adds their information to
 /// `known`.
 std::vector<std::size_t> greedily(const Discrimination& discrimination, const PlannedInformation& information,
-                                  const std::vector<ProposedPose>& poses, ReachabilityCheck reachable,
-                                  std::size_t count, Eigen::MatrixXd& known) {
+                                  const std::vector<ProposedPose>& poses,
+                                  const std::function<bool(const ProposedPose&)>& isReachable, std::size_t count,
+                                  Eigen::MatrixXd& known) {
   const Eigen::VectorXd before = discrimination.misfits(known);
   std::vector<std::size_t> chosen, left(poses.size());
   std::iota(left.begin(), left.end(), 0);
@@ -63,7 +64,7 @@ std::vector<std::size_t> greedily(const Discrimination& discrimination, const Pl
       }
     }
     std::erase(left, next);
-    if (reachable(poses[next])) { // tested last, because planning ways is slow
+    if (isReachable(poses[next])) { // tested last, because planning ways is slow
       information.promised[next].addTo(known);
       chosen.push_back(next);
     }
@@ -87,6 +88,21 @@ std::map<std::string, double> offsetSigmas(const Model& model, const Eigen::Matr
 }
 
 } // namespace
+
+void selectNextPoses(const ModelAmbiguity& question, const PlannedInformation& information,
+                     const std::vector<ProposedPose>& planned,
+                     const std::function<bool(const ProposedPose&)>& isReachable, const NextPosesOptions& options,
+                     NextPoses& result) {
+  const Discrimination discrimination{question, static_cast<Eigen::Index>(information.own.unknownCount())};
+  Eigen::MatrixXd known = information.known;
+  for (const std::size_t chosen : greedily(discrimination, information, planned, isReachable, options.count, known)) {
+    result.poses.push_back(planned[chosen]);
+  }
+  result.growth = discrimination.growthFactor(discrimination.misfits(information.known), discrimination.misfits(known));
+  result.predictedSigma = offsetSigmas(information.own, known);
+  std::mt19937_64 random{options.seed};
+  std::shuffle(result.poses.begin(), result.poses.end(), random);
+}
 
 NextPoses proposeNextPoses(const FittedModel& fitted, const ModelAmbiguity& question, const NextPosesOptions& options) {
   const Measurements& measurements = fitted.measurements;
@@ -123,17 +139,9 @@ NextPoses proposeNextPoses(const FittedModel& fitted, const ModelAmbiguity& ques
   result.firstStance = plannedStanceId(*measurements.sets, SupportFoot::left);
   result.samples = samplesPerPose(measurements);
 
-  const PlannedInformation information = predictInformation(fitted, question, result.around, poses);
-  const Discrimination discrimination{question, static_cast<Eigen::Index>(information.own.unknownCount())};
-  Eigen::MatrixXd known = information.known;
-  for (const std::size_t chosen : greedily(discrimination, information, poses,
-                                           ReachabilityCheck{robot, options.jointError}, options.count, known)) {
-    result.poses.push_back(poses[chosen]);
-  }
-  result.growth = discrimination.growthFactor(discrimination.misfits(information.known), discrimination.misfits(known));
-  result.predictedSigma = offsetSigmas(information.own, known);
-  std::mt19937_64 random{options.seed};
-  std::shuffle(result.poses.begin(), result.poses.end(), random);
+  ReachabilityCheck isReachable{robot, options.jointError};
+  selectNextPoses(question, predictInformation(fitted, question, result.around, poses), poses, std::ref(isReachable),
+                  options, result);
   return result;
 }
 

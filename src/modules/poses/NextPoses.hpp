@@ -3,6 +3,7 @@
 #include "poses/criteria/PlannedInformation.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -26,18 +27,26 @@ struct NextPoses {
   std::map<std::string, double> predictedSigma; // of joint offsets, with these poses, 1 sigma [rad]
 
   // Assumptions.
-  std::vector<LocalScene> around;
-  std::size_t stable = 0; // stable poses of the drawn robot
-  std::size_t seeing = 0; // those of them in which the fitted robot is balanced and sees a board
-  Noise noise;            // estimated by the fit
-  double samples = 1;     // images per pose and camera, as in the captures
-  int firstStance = 0;    // stance id of the poses
-  double jointError = 0;  // joint error tolerated in the poses and on the ways to them [rad]
+  std::vector<LocalScene> around; // of a NAO; angles of other robots are what their encoders read
+  std::size_t stable = 0;         // stable poses of the drawn robot
+  std::size_t seeing = 0;         // those of them in which the fitted robot is balanced and is measured
+  Noise noise;                    // estimated by the fit
+  double samples = 1;             // images per pose and camera, as in the captures
+  int firstStance = 0;            // stance id of the poses
+  double jointError = 0;          // joint error tolerated in the poses and on the ways to them [rad]
 };
 
+/// Selects greedily among planned poses: each maximises Discrimination::expectedGain given the captures and the
+/// previous poses. Fills `poses`, in random order, `growth` and `predictedSigma`. `isReachable` is asked for the best
+/// ones only.
+void selectNextPoses(const ModelAmbiguity& question, const PlannedInformation& information,
+                     const std::vector<ProposedPose>& planned,
+                     const std::function<bool(const ProposedPose&)>& isReachable, const NextPosesOptions& options,
+                     NextPoses& result);
+
 /// Selects among stable poses in sight of the boards (PoseSampler), on the captures' support feet; where the approach
-/// matters, from above and from below. Greedy: each pose maximises Discrimination::expectedGain given the captures and
-/// the previous poses. The measurement model is linearised at the fit, with the fit's noise. Reproducible by seed.
+/// matters, from above and from below (selectNextPoses). The measurement model is linearised at the fit, with the fit's
+/// noise. Reproducible by seed.
 NextPoses proposeNextPoses(const FittedModel& fitted, const ModelAmbiguity& question,
                            const NextPosesOptions& options = {});
 

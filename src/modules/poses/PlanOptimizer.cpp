@@ -95,7 +95,7 @@ PlanEvaluator::PlanEvaluator(const Robot& robot, const std::vector<Board>& board
     : robot_{robot}, cameras_{cameras}, options_{options}, boards_{boards}, scene_{robot, options.poses.supportFoot,
                                                                                    boards, cameras,
                                                                                    options.poses.sight},
-      judge_{robot, scene_, scene_.joints(), options.criterion, options.known},
+      joints_{scene_.joints()}, judge_{robot, scene_, joints_, options.criterion, options.known},
       perturbedErrors_{drawPerturbedRobots(robot, options.poses, options.perturbedRobots, 1)},
       known_{judge_.prior().replicate(1, static_cast<Eigen::Index>(perturbedErrors_.size() + 1))} {
   for (const Eigen::VectorXd& angles : options.kept) {
@@ -108,7 +108,7 @@ PlanEvaluator::PlanEvaluator(const Robot& robot, const std::vector<Board>& board
 }
 
 ThesisCriterion PlanEvaluator::thesis() const {
-  return {robot_, supportSole(robot_, options_.poses.supportFoot), cameras_, judge_.joints(), options_.weights};
+  return {robot_, supportSole(robot_, options_.poses.supportFoot), cameras_, joints_, options_.weights};
 }
 
 Interaction PlanEvaluator::interaction(const std::vector<ValidPose>& poses) const {
@@ -207,7 +207,7 @@ double PlanEvaluator::objective(const Eigen::MatrixXd& sum, const std::vector<Va
 }
 
 std::map<std::string, double> PlanEvaluator::sigmas(const std::vector<ValidPose>& poses, bool known) const {
-  const PoseCriterion judge{robot_, scene_, judge_.joints(), options_.criterion, known};
+  const PoseCriterion judge{robot_, scene_, joints_, options_.criterion, known};
   Eigen::MatrixXd sum = judge.prior();
   for (const std::vector<ValidPose>* each : {&kept_, &poses}) {
     for (const Eigen::MatrixXd& information : computeInformation(robot_, scene_, *each, options_.noise)) {
@@ -221,7 +221,7 @@ std::map<std::string, double> PlanEvaluator::perturbedSigmas(const std::vector<V
   constexpr std::size_t robots = 100;
   std::vector<ValidPose> all = kept_;
   all.insert(all.end(), poses.begin(), poses.end());
-  Eigen::VectorXd variances = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(judge_.joints().size()));
+  Eigen::VectorXd variances = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(joints_.size()));
   for (const Eigen::VectorXd& errors : drawPerturbedRobots(robot_, options_.poses, robots, 2)) {
     Eigen::MatrixXd sum = judge_.prior();
     for (const Eigen::MatrixXd& part : partsOfDrawn(applyErrors(errors, all))) {
@@ -234,8 +234,8 @@ std::map<std::string, double> PlanEvaluator::perturbedSigmas(const std::vector<V
 
 std::map<std::string, double> PlanEvaluator::nameSigmas(const Eigen::VectorXd& variances) const {
   std::map<std::string, double> result;
-  for (std::size_t i = 0; i < judge_.joints().size(); ++i) {
-    result[robot_.joints[judge_.joints()[i]].name] = std::sqrt(variances[static_cast<Eigen::Index>(i)]);
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
+    result[robot_.joints[joints_[i]].name] = std::sqrt(variances[static_cast<Eigen::Index>(i)]);
   }
   return result;
 }

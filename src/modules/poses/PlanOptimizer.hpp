@@ -70,6 +70,7 @@ private:
   const PlanOptions& options_;
   std::vector<Board> boards_;
   PlanningScene scene_;
+  std::vector<std::size_t> joints_; // whose offsets are planned for
   PoseCriterion judge_;
   std::vector<Eigen::VectorXd> perturbedErrors_; // joint errors per robot, per joint of the drawing [rad]
   std::vector<ValidPose> kept_;

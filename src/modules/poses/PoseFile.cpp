@@ -12,6 +12,7 @@
 #include "poses/candidates/Transitions.hpp"
 #include "poses/criteria/PlanOptions.hpp"
 #include "poses/criteria/PlannedInformation.hpp"
+#include "robot/LegKinematics.hpp"
 
 #include <algorithm>
 #include <array>
@@ -32,6 +33,10 @@ using Json = nlohmann::json;
 
 /// Joints of a NAO that drawings omit: hands. Files list them as 0.
 constexpr std::array<std::string_view, 2> fingers{"LHand", "RHand"};
+
+bool isFinger(const std::string& name, const Robot& robot) {
+  return hasPlannableLegs(robot) && std::find(fingers.begin(), fingers.end(), name) != fingers.end();
+}
 
 bool hasFingers(const Joint& wrist) {
   return wrist.name.ends_with("WristYaw");
@@ -60,6 +65,34 @@ Json assumptions(const PlanOptions& options) {
            "feet in turn that of the first pose, the other foot 0.1 m beside it"},
           {"unknowns", "joint offsets, rotations of both cameras, x, y and yaw of every board"},
           {"floor", "on both feet the right sole lies on the left one's floor to 1 mm and 0.005 rad"}};
+}
+
+Json assumptions(const CapturePlan& plan) {
+  return {{"noise", noiseJson(plan.noise)},
+          {"samples", 1},
+          {"angles", "what the encoders read"},
+          {"estimated", plan.estimated},
+          {"collisions", "no part of the robot that its description shapes touches another; ways between poses are not "
+                         "tested"}};
+}
+
+Json sieveJson(const PassCounts& sieve) {
+  return {{"generated", sieve.generated},
+          {"reachable", sieve.reachable},
+          {"collisionFree", sieve.collisionFree},
+          {"stable", sieve.stable},
+          {"seeing", sieve.seeing}};
+}
+
+/// By name; what has no such value is left out.
+Json sigmasJson(const std::vector<PlannedSigma>& sigmas, bool areKnown) {
+  Json result = Json::object();
+  for (const PlannedSigma& each : sigmas) {
+    if (const auto sigma = areKnown ? each.known : each.sigma) {
+      result[each.name] = *sigma;
+    }
+  }
+  return result;
 }
 
 /// Board placements on the floor.
@@ -113,15 +146,29 @@ Json boardsOf(const NextPoses& next) {
   return Json::array();
 }
 
-/// Times of direct transitions at the speed used on one foot.
+/// Times of direct transitions at the speed used on one foot; unknown for robots other than NAOs.
 std::vector<std::optional<double>> secondsBetweenThem(const NextPoses& next, const Robot& robot) {
   std::vector<std::optional<double>> result;
+  if (!hasPlannableLegs(robot)) {
+    result.resize(next.poses.size());
+    return result;
+  }
   Eigen::VectorXd before = bentKneesStance(robot);
   for (const ProposedPose& pose : next.poses) {
     result.push_back(motionTime(robot, before, pose.pose.angles, TransitionOptions{}.speed));
     before = pose.pose.angles;
   }
   return result;
+}
+
+Json assumptionsOfAnyRobot(const NextPoses& next) {
+  return {{"noise", noiseJson(next.noise)},
+          {"samples", next.samples},
+          {"angles", "what the encoders read"},
+          {"places", "everything stands where it stood when the last captures were taken"},
+          {"collisions", "no part of the robot that its description shapes touches another; ways between poses are not "
+                         "tested"},
+          {"predictedSigma", "from the captures and these poses together"}};
 }
 
 Json assumptions(const NextPoses& next) {
@@ -139,7 +186,9 @@ Json assumptions(const NextPoses& next) {
 nlohmann::json perJoint(const Robot& robot, const Eigen::VectorXd& values, bool whole) {
   nlohmann::json result = nlohmann::json::object();
   for (const std::string_view name : fingers) {
-    result[std::string{name}] = 0;
+    if (const std::string finger{name}; isFinger(finger, robot)) {
+      result[finger] = 0;
+    }
   }
   for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
     const double value = values[static_cast<Eigen::Index>(joint)];
@@ -148,7 +197,7 @@ nlohmann::json perJoint(const Robot& robot, const Eigen::VectorXd& values, bool 
   return result;
 }
 
-/// Angles by joint name; hands are 0.
+/// Angles by joint name; a NAO's hands are 0.
 nlohmann::json anglesJson(const Eigen::VectorXd& angles, const Robot& robot) {
   return perJoint(robot, angles, false);
 }
@@ -159,15 +208,15 @@ nlohmann::json poseListJson(const std::vector<ProposedPose>& poses, const std::v
   nlohmann::json result = nlohmann::json::array();
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const PlannedPose& pose = poses[i].pose;
-    std::set<std::string> boards;
+    std::set<std::string> observed{pose.tracked.begin(), pose.tracked.end()};
     for (const VisibleBoard& sight : pose.sights) {
-      boards.insert(sight.board);
+      observed.insert(sight.board);
     }
     result.push_back({{"id", poseId(poses[i], i)},
                       {"supportFoot", supportFootWords[static_cast<std::size_t>(pose.supportFoot)]},
                       {"joints", perJoint(robot, pose.angles, false)},
                       {"approach", perJoint(robot, poses[i].approach, true)},
-                      {"observes", boards}});
+                      {"observes", observed}});
     if (seconds[i]) {
       result.back()["secondsToReach"] = *seconds[i];
     }
@@ -177,7 +226,7 @@ nlohmann::json poseListJson(const std::vector<ProposedPose>& poses, const std::v
 
 /// Index of a joint by name; absent for hands. Refuses unknown names.
 std::optional<Eigen::Index> jointOf(const std::string& name, const JsonCursor& place, const Robot& robot) {
-  if (std::find(fingers.begin(), fingers.end(), name) != fingers.end()) {
+  if (isFinger(name, robot)) {
     return std::nullopt;
   }
   const auto joint = robot.jointIndex(name);
@@ -203,12 +252,14 @@ Eigen::VectorXd anglesFrom(const JsonCursor& joints, const Robot& robot) {
       joints.refuse(fmt::format("an angle for each joint of the {}", robot.model), fmt::format("no {}", drawn.name));
     }
     const AngleRange limits = jointLimitsAt(robot, joint, angles);
-    if (angle < limits.lower - rounding || angle > limits.upper + rounding) {
+    const bool isDriven = drawn.motor != joint; // its motor's limits hold
+    if (!isDriven && (angle < limits.lower - rounding || angle > limits.upper + rounding)) {
       joints.at(drawn.name)
           .refuse(fmt::format("an angle from {:.4f} to {:.4f} radians, as the joint can take it", limits.lower,
                               limits.upper));
     }
-    if (angle != angles[static_cast<Eigen::Index>(drawn.motor)]) {
+    const double driven = drawn.ratio * angles[static_cast<Eigen::Index>(drawn.motor)] + drawn.shift;
+    if (isDriven && std::abs(angle - driven) > rounding) {
       joints.at(drawn.name)
           .refuse(fmt::format("the angle of {}: one motor drives both", robot.joints[drawn.motor].name));
     }
@@ -216,10 +267,19 @@ Eigen::VectorXd anglesFrom(const JsonCursor& joints, const Robot& robot) {
   return angles;
 }
 
+/// What poses of the robot stand on.
+std::vector<std::string_view> supportWords(const Robot& robot) {
+  std::vector<std::string_view> words = supportFootWords;
+  if (hasPlannableLegs(robot)) {
+    words.pop_back(); // a NAO stands
+  }
+  return words;
+}
+
 PlayablePose poseFrom(const JsonCursor& place, const Robot& robot) {
   PlayablePose pose;
   pose.id = place.at("id").text();
-  pose.supportFoot = static_cast<SupportFoot>(place.at("supportFoot").wordIndex({"left", "right", "both"}));
+  pose.supportFoot = static_cast<SupportFoot>(place.at("supportFoot").wordIndex(supportWords(robot)));
   pose.angles = anglesFrom(place.at("joints"), robot);
   pose.approach = Eigen::VectorXd::Zero(pose.angles.size());
   if (const auto approach = place.find("approach")) {
@@ -233,10 +293,18 @@ PlayablePose poseFrom(const JsonCursor& place, const Robot& robot) {
   return pose;
 }
 
+/// What proposed poses stand on.
+SupportFoot supportOf(const NextPoses& next, const Robot& robot) {
+  if (!hasPlannableLegs(robot)) {
+    return next.poses.empty() ? SupportFoot::none : next.poses.front().pose.supportFoot;
+  }
+  return next.around.size() == 1 ? next.around.front().supportFoot : SupportFoot::both;
+}
+
 } // namespace
 
 std::string poseId(const ProposedPose& pose, std::size_t index) {
-  return fmt::format("{}{:02}", "LRB"[static_cast<std::size_t>(pose.pose.supportFoot)], index);
+  return fmt::format("{}{:02}", "LRBP"[static_cast<std::size_t>(pose.pose.supportFoot)], index);
 }
 
 Json planJson(const PosePlan& plan, const Robot& robot) {
@@ -250,12 +318,7 @@ Json planJson(const PosePlan& plan, const Robot& robot) {
   Json result =
       withFormat("naocal-poses", {{"robot", robot.model},
                                   {"support", supportOf(plan)},
-                                  {"candidates",
-                                   {{"generated", plan.sieve.generated},
-                                    {"reachable", plan.sieve.reachable},
-                                    {"collisionFree", plan.sieve.collisionFree},
-                                    {"stable", plan.sieve.stable},
-                                    {"seeing", plan.sieve.seeing}}},
+                                  {"candidates", sieveJson(plan.sieve)},
                                   {"poses", poses},
                                   {"boards", boardsWithTolerances(plan)},
                                   {"predictedSigma", plan.sigma},
@@ -270,6 +333,32 @@ Json planJson(const PosePlan& plan, const Robot& robot) {
   }
   if (!plan.comparison.empty()) {
     result["comparison"] = comparisonJson(plan);
+  }
+  return result;
+}
+
+Json planJson(const CapturePlan& plan, const Robot& robot) {
+  const std::vector<std::optional<double>> unknownTimes(plan.poses.size());
+  const SupportFoot foot = plan.poses.front().pose.supportFoot;
+  Json result = withFormat("naocal-poses", {{"robot", robot.model},
+                                            {"support", supportFootWords[static_cast<std::size_t>(foot)]},
+                                            {"candidates", sieveJson(plan.sieve)},
+                                            {"poses", poseListJson(plan.poses, unknownTimes, robot)},
+                                            {"predictedSigma", sigmasJson(plan.offsets, false)},
+                                            {"predictedSigmaKnown", sigmasJson(plan.offsets, true)},
+                                            {"predictedSigmaOfMounts", sigmasJson(plan.mounts, false)},
+                                            {"cannotTell", Json::object()},
+                                            {"criterion", toString(plan.options.criterion)},
+                                            {"assumptions", assumptions(plan)}});
+  for (const UntoldUnknown& untold : plan.untold) {
+    result["cannotTell"][untold.name] = untold.why;
+  }
+  if (!plan.options.effects.empty()) {
+    result["effects"] = plan.options.effects;
+    result["predictedSigmaOfEffects"] = sigmasJson(plan.effects, false);
+  }
+  if (!plan.boards.empty()) {
+    result["boards"] = boardsJson(plan.boards);
   }
   return result;
 }
@@ -310,24 +399,29 @@ Eigen::VectorXd readAnglesFile(const std::filesystem::path& file, const Robot& r
 }
 
 Json nextPosesJson(const NextPoses& next, const Robot& robot) {
-  return {{"poses", poseListJson(next.poses, secondsBetweenThem(next, robot), robot)},
-          {"why", next.why},
-          {"growth", next.growth},
-          {"assumptions", {{"jointError", next.jointError}}}};
+  Json result{{"poses", poseListJson(next.poses, secondsBetweenThem(next, robot), robot)},
+              {"why", next.why},
+              {"growth", next.growth},
+              {"assumptions", {{"jointError", next.jointError}}}};
+  if (!hasPlannableLegs(robot)) {
+    result["whyNone"] = next.whyNone;
+    result["assumptions"] = assumptionsOfAnyRobot(next);
+  }
+  return result;
 }
 
 Json posesJson(const NextPoses& next, const Robot& robot) {
-  const bool oneFoot = next.around.size() == 1;
-  const auto foot = [](SupportFoot each) { return std::string{supportFootWords[static_cast<std::size_t>(each)]}; };
   Json result = withFormat("naocal-poses", nextPosesJson(next, robot));
   result["robot"] = robot.model;
-  result["support"] = oneFoot ? foot(next.around.front().supportFoot) : "both";
+  result["support"] = supportFootWords[static_cast<std::size_t>(supportOf(next, robot))];
   result["candidates"] = {{"stable", next.stable}, {"seeing", next.seeing}};
-  result["boards"] = boardsOf(next);
   result["firstStance"] = next.firstStance;
   result["predictedSigma"] = next.predictedSigma;
   result["criterion"] = "discrimination";
-  result["assumptions"] = assumptions(next);
+  if (hasPlannableLegs(robot)) {
+    result["boards"] = boardsOf(next);
+    result["assumptions"] = assumptions(next);
+  }
   return result;
 }
 

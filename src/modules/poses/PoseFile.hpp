@@ -1,6 +1,7 @@
 #pragma once
 
 #include "data/Capture.hpp"
+#include "poses/CapturePlan.hpp"
 #include "poses/NextPoses.hpp"
 #include "poses/PosePlan.hpp"
 #include "robot/Robot.hpp"
@@ -13,11 +14,12 @@
 
 namespace naocal {
 
-/// Id of the pose at a place of a plan: L00 on the left foot, R01, B02 on both.
+/// Id of the pose at a place of a plan: L00 on the left foot, R01, B02 on both, P03 of a robot whose base stands.
 std::string poseId(const ProposedPose& pose, std::size_t index);
 
 /// POSES.json of a plan.
 nlohmann::json planJson(const PosePlan& plan, const Robot& robot);
+nlohmann::json planJson(const CapturePlan& plan, const Robot& robot);
 
 /// Writes each pose to `<folder>/<id>.pose` in HULKs' format: 26 angles [rad], joints in the drawing's order, each hand
 /// after its wrist.
@@ -29,8 +31,8 @@ Eigen::VectorXd readAnglesFile(const std::filesystem::path& file, const Robot& r
 /// A pose read from a file.
 struct PlayablePose {
   std::string id;
-  SupportFoot supportFoot = SupportFoot::left;
-  Eigen::VectorXd angles;   // per joint, motor command without offsets [rad]
+  SupportFoot supportFoot = SupportFoot::left; // none: its base, or soles that its set names
+  Eigen::VectorXd angles;                      // per joint, motor command without offsets [rad]
   Eigen::VectorXd approach; // per joint: direction of the final motion, -1 from above, +1 from below, 0 any
 };
 

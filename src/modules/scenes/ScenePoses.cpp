@@ -143,17 +143,22 @@ std::optional<Eigen::VectorXd> ScenePoses::draw() {
     modelState.angle(joint) = range.lower + half + chance_.uniformWithin(half);
   }
   followMotors(modelState);
-  if (sole_ && hasMasses_ && !balance(modelState)) {
-    return std::nullopt;
-  }
+  ++counts_.generated;
+  const bool isBalanced = !sole_ || !hasMasses_ || balance(modelState);
   const Eigen::VectorXd angles = modelState.values.head(eigenIndex(robot_.joints.size()));
   if (!isWithinLimits(angles)) {
     return std::nullopt;
   }
+  ++counts_.reachable;
   const LinkPoses torsoFromLink = forwardKinematics(robot_, modelState);
-  if (collision_.collides(torsoFromLink) || (sole_ && !isAboveFloor(torsoFromLink))) {
+  if (collision_.collides(torsoFromLink)) {
     return std::nullopt;
   }
+  ++counts_.collisionFree;
+  if (!isBalanced || (sole_ && !isAboveFloor(torsoFromLink))) {
+    return std::nullopt;
+  }
+  ++counts_.stable;
   return angles;
 }
 

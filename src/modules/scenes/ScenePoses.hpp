@@ -1,11 +1,13 @@
 #pragma once
 
 #include "math/Sampling.hpp"
+#include "poses/candidates/PoseOptions.hpp"
 #include "robot/SelfCollision.hpp"
 #include "scenes/RobotScene.hpp"
 
 #include <Eigen/Core>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace naocal {
@@ -22,6 +24,9 @@ public:
 
   /// One angle per joint [rad]; absent if the drawn pose cannot be taken.
   std::optional<Eigen::VectorXd> draw();
+
+  /// How many poses were drawn since the last call, and how many of them passed each test; `seeing` is not counted.
+  PassCounts takeCounts() { return std::exchange(counts_, {}); }
 
   /// The sole that the robot stands on; absent if its base stands.
   const Sole* sole() const { return sole_; }
@@ -40,6 +45,7 @@ private:
   std::vector<std::size_t> leg_; // motors between the root and the sole
   SelfCollision collision_;
   RandomStream chance_;
+  PassCounts counts_;
 };
 
 } // namespace naocal

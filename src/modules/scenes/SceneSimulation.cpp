@@ -162,57 +162,83 @@ std::map<std::string, TrueUnknown> listNoise(const RobotScene& scene, const Scen
   return levels;
 }
 
-/// Takes the poses and reads all instruments in them.
-std::vector<Capture> takeCaptures(TrueRobot& robot, const RobotScene& scene, const ScenePlan& plan,
-                                  std::vector<GrossCorner>& gross) {
-  RandomStream motion{plan.seed, "deflections"};
-  ReadingSpoiler spoiler{scene, plan};
-  const Eigen::Index joints = eigenIndex(robot.robot().joints.size());
-  Eigen::VectorXd last = Eigen::VectorXd::Zero(joints);
+/// Takes poses one after the other and reads all instruments in them.
+class CaptureTaker {
+public:
+  CaptureTaker(TrueRobot& robot, const RobotScene& scene, const ScenePlan& plan)
+      : robot_{robot}, scene_{scene}, plan_{plan}, motion_{plan.seed, "deflections"}, spoiler_{scene, plan},
+        last_{Eigen::VectorXd::Zero(eigenIndex(robot.robot().joints.size()))} {}
+
+  void takeRandomPoses() {
+    for (std::size_t tries = 0; taken_ < plan_.poses; ++tries) {
+      if (tries == mostTries * plan_.poses) {
+        throw InputError{fmt::format("only {} of {} poses were found in {} draws in which {}; place things nearer, or "
+                                     "give `ranges` of joints in the scene",
+                                     taken_, plan_.poses, tries, sufficientSight(scene_))};
+      }
+      if (const auto angles = robot_.poses().draw()) {
+        const Eigen::VectorXd recorded = robot_.recordedAt(*angles);
+        take(fmt::format("P{:02}", taken_), recorded, (recorded - last_).cwiseSign(), false);
+      }
+    }
+  }
+
+  void takeGivenPoses() {
+    bool isAnySeen = false;
+    for (const PlayablePose& pose : plan_.given) {
+      const Eigen::VectorXd moved = (pose.angles - last_).cwiseSign();
+      isAnySeen |= take(pose.id, pose.angles, (pose.approach.array() != 0).select(pose.approach, moved), true);
+    }
+    if (!isAnySeen) {
+      throw InputError{fmt::format("in none of the {} given poses {}; plan poses for this scene", plan_.given.size(),
+                                   sufficientSight(scene_))};
+    }
+  }
+
   std::vector<Capture> captures;
-  std::size_t taken = 0;
-  for (std::size_t tries = 0; taken < plan.poses; ++tries) {
-    if (tries == mostTries * plan.poses) {
-      throw InputError{fmt::format(
-          "only {} of {} poses were found in {} draws in which {}; place things nearer, or give "
-          "`ranges` of joints in the scene",
-          taken, plan.poses, tries,
-          scene.set.cameras.empty() ? "a tracker sees a marker or frame" : "a camera sees eight corners of a board")};
-    }
-    const auto angles = robot.poses().draw();
-    if (!angles) {
-      continue;
-    }
-    Eigen::VectorXd deflection(joints);
+  std::vector<GrossCorner> gross;
+
+private:
+  /// `recorded`: what the encoders read without noise [rad]. Returns whether enough is seen; if not, takes nothing
+  /// unless `isGiven`.
+  bool take(const std::string& name, const Eigen::VectorXd& recorded, const Eigen::VectorXd& approach, bool isGiven) {
+    Eigen::VectorXd deflection(recorded.size());
     for (double& one : deflection) {
-      one = motion.normal(scene.noise.pose);
+      one = motion_.normal(scene_.noise.pose);
     }
-    const Eigen::VectorXd recorded = robot.recordedAt(*angles), approach = (recorded - last).cwiseSign();
-    const Seconds time{10.0 * static_cast<double>(taken)};
-    TrueRobot::Sight sight = robot.look({recorded, approach, time, deflection});
-    if (!sight.isEnough) {
-      continue;
+    const Seconds time{10.0 * static_cast<double>(taken_)};
+    TrueRobot::Sight sight = robot_.look({recorded, approach, time, deflection});
+    if (!sight.isEnough && !isGiven) {
+      return false;
     }
-    for (int sample = 0; sample < plan.samples; ++sample) {
-      const JointReadings readings = spoiler.readJoints(robot.robot(), recorded, approach);
+    for (int sample = 0; sample < plan_.samples; ++sample) {
+      const JointReadings readings = spoiler_.readJoints(robot_.robot(), recorded, approach);
       for (Capture capture : sight.captures) {
         if (capture.camera.empty() && capture.points.empty() && capture.frames.empty()) {
           continue;
         }
         capture.id = static_cast<int>(captures.size());
-        capture.pose = fmt::format("P{:02}", taken);
+        capture.pose = name;
         capture.repeat = sample;
         capture.time = time + Seconds{0.4 * sample};
         capture.joints = readings;
-        spoiler.spoil(capture, gross);
+        spoiler_.spoil(capture, gross);
         captures.push_back(std::move(capture));
       }
     }
-    last = recorded;
-    ++taken;
+    last_ = recorded;
+    ++taken_;
+    return sight.isEnough;
   }
-  return captures;
-}
+
+  TrueRobot& robot_;
+  const RobotScene& scene_;
+  const ScenePlan& plan_;
+  RandomStream motion_;
+  ReadingSpoiler spoiler_;
+  Eigen::VectorXd last_; // recorded in the pose before
+  std::size_t taken_ = 0;
+};
 
 } // namespace
 
@@ -221,7 +247,14 @@ SceneSimulation simulateScene(const RobotScene& scene, const ScenePlan& plan) {
   SceneSimulation result{.set = scene.set, .truth = {}};
   result.set.bodyId = fmt::format("{}{}", syntheticIdPrefix, plan.robotSeed.value_or(plan.seed));
   result.set.headId = scene.set.urdf.empty() ? result.set.bodyId : "";
-  result.set.captures = takeCaptures(robot, scene, plan, result.truth.grossCorners);
+  CaptureTaker taker{robot, scene, plan};
+  if (plan.given.empty()) {
+    taker.takeRandomPoses();
+  } else {
+    taker.takeGivenPoses();
+  }
+  result.set.captures = std::move(taker.captures);
+  result.truth.grossCorners = std::move(taker.gross);
   result.truth.seed = plan.seed;
   result.truth.effects = robot.listEffects();
   result.truth.noise = listNoise(scene, plan);

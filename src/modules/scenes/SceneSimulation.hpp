@@ -1,5 +1,6 @@
 #pragma once
 
+#include "poses/PoseFile.hpp"
 #include "scenes/RobotScene.hpp"
 #include "simulation/Truth.hpp"
 
@@ -13,17 +14,19 @@ namespace naocal {
 /// Settings of a simulation of any robot. Random values are uniform in [-range, range].
 struct ScenePlan {
   std::size_t poses = 24;
-  int samples = 3;                // per pose, at rest
-  double offsetRange = 0;         // per motor [rad]
-  double mountRange = 0;          // per camera on a link and axis [rad]
-  double mountShiftRange = 0;     // per camera on a link and axis [m]; 0: `placementSigma`, if the scene gives it
-  std::vector<std::string> flaws; // hidden: "effect@place", "effect@place.unknown", "reversedJoint@J", "countSlip@J"
+  std::vector<PlayablePose> given; // taken instead of random poses: their angles are what the encoders read
+  int samples = 3;                 // per pose, at rest
+  double offsetRange = 0;          // per motor [rad]
+  double mountRange = 0;           // per camera on a link and axis [rad]
+  double mountShiftRange = 0;      // per camera on a link and axis [m]; 0: `placementSigma`, if the scene gives it
+  std::vector<std::string> flaws;  // hidden: "effect@place", "effect@place.unknown", "reversedJoint@J", "countSlip@J"
   double flawScale = 1;
   bool heavyTails = false; // of corners: Student's t with 4 degrees of freedom instead of a normal distribution
   double grossShare = 0;   // fraction of corners with gross errors [1]
   double grossSize = 8;    // [px]
   std::uint64_t seed = 1;
   std::optional<std::uint64_t> robotSeed, sceneSeed; // of the robot's errors, and of where things stand
+  double spread = 1;                                 // how far off `about` things truly stand, as a share of the usual
 };
 
 /// A simulated capture set of any robot and its ground truth.
@@ -34,13 +37,15 @@ struct SceneSimulation {
 };
 
 /// Simulates a robot in random poses of `ScenePoses` in which its cameras see at least eight corners of a board, or, in
-/// a scene without cameras, a tracker sees a marker or frame past the robot's shapes.
+/// a scene without cameras, a tracker sees a marker or frame past the robot's shapes; or in the given poses, whatever
+/// is seen there.
 ///
 /// Readings are those that the library's own model predicts for the true unknowns, plus noise: a simulation tests how
 /// well causes are told apart, not the equations. A flaw's unknowns are as large as their plausible size ('naocal
 /// effects'), with random signs where either is possible; a spring gives way by 0.02 rad at most. Reproducible by seed.
 ///
-/// Throws InputError for flaws that this robot in this scene cannot have, and if too few poses are found.
+/// Throws InputError for flaws that this robot in this scene cannot have, and if too few poses are found or
+/// the given ones see nothing.
 SceneSimulation simulateScene(const RobotScene& scene, const ScenePlan& plan);
 
 } // namespace naocal

@@ -26,7 +26,8 @@ bool standsOnSole(const CaptureSet& set) {
 /// Draws where things truly stand: exactly where the scene places them, else about there.
 class SceneSetter {
 public:
-  SceneSetter(const RobotScene& scene, std::uint64_t seed) : scene_{scene}, chance_{seed, "scene"} {}
+  SceneSetter(const RobotScene& scene, const ScenePlan& plan)
+      : scene_{scene}, spread_{plan.spread}, chance_{plan.sceneSeed.value_or(plan.seed), "scene"} {}
 
   /// The scene's set with everything placed, in the simulator's world.
   CaptureSet set() {
@@ -51,7 +52,7 @@ public:
       marker.point = marker.point ? *marker.point : drawPoint(marker);
     }
     Stance& stance = placed.stances.front();
-    if (standsOnSole(scene_.set)) {
+    if (standsOnSole(scene_.set) && !stance.placement) {
       stance.placement = spread({}, true);
     }
     return placed;
@@ -65,7 +66,7 @@ private:
   }
 
   Placement spread(Placement placement, bool isFlat) {
-    constexpr double shift = 0.03, turn = 0.1; // [m], [rad]
+    const double shift = 0.03 * spread_, turn = 0.1 * spread_; // [m], [rad]
     for (double Placement::*const value : {&Placement::x, &Placement::y, &Placement::z}) {
       placement.*value += isFlat && value == &Placement::z ? 0 : chance_.uniformWithin(shift);
     }
@@ -76,7 +77,7 @@ private:
   }
 
   Eigen::Vector3d drawPoint(const TrackedMarker& marker) {
-    constexpr double shift = 0.01; // [m]
+    const double shift = 0.01 * spread_; // [m]
     const auto about = scene_.about.find("markers." + marker.id);
     Eigen::Vector3d point = marker.pointGuess;
     if (about != scene_.about.end()) {
@@ -89,6 +90,7 @@ private:
   }
 
   const RobotScene& scene_;
+  double spread_;
   RandomStream chance_;
 };
 
@@ -171,9 +173,13 @@ BoardCorners visibleMarks(const CameraIntrinsics& camera, const Board& board,
 
 } // namespace
 
+std::string sufficientSight(const RobotScene& scene) {
+  return scene.set.cameras.empty() ? "a tracker sees a marker or frame" : "a camera sees eight corners of a board";
+}
+
 TrueRobot::TrueRobot(const RobotScene& scene, const ScenePlan& plan)
-    : plan_{plan}, set_{SceneSetter{scene, plan.sceneSeed.value_or(plan.seed)}.set()}, robot_{loadRobot(set_)},
-      poses_{robot_, scene, plan.seed}, readings_{listReadings(set_)} {
+    : plan_{plan}, set_{SceneSetter{scene, plan}.set()}, robot_{loadRobot(set_)}, poses_{robot_, scene, plan.seed},
+      readings_{listReadings(set_)} {
   if (readings_.empty()) {
     throw InputError{fmt::format("{}: expected a scene with cameras or trackers, found neither", nameOfRobot())};
   }
@@ -237,6 +243,17 @@ Eigen::VectorXd TrueRobot::recordedAt(const Eigen::VectorXd& angles) const {
     }
   }
   return recorded;
+}
+
+void TrueRobot::adoptFit(const Model& fitted, const Eigen::VectorXd& unknowns, const std::vector<Effect>& effects) {
+  std::vector<std::string> with;
+  for (const Term& term : fitted.terms()) {
+    if (!term.isPlacement && term.requested && !term.effect.inBaseModel) {
+      with.push_back(term.label());
+    }
+  }
+  model_ = buildModel(measurements_, with, {}, effects);
+  unknowns_ = mapParameters(fitted, unknowns, model_);
 }
 
 std::vector<TrueEffect> TrueRobot::listEffects() const {
@@ -352,7 +369,7 @@ void TrueRobot::drawUnknowns() {
         value = chance.uniformWithin(plan_.mountRange);
       } else if (name == effectName::cameraTranslation) {
         value = plan_.mountShiftRange > 0 ? chance.uniformWithin(plan_.mountShiftRange)
-                                          : chance.normal(term.effect.unknowns[i].sigma);
+                                          : plan_.spread * chance.normal(term.effect.unknowns[i].sigma);
       }
     }
   }

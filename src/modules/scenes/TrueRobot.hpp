@@ -11,6 +11,9 @@ namespace naocal {
 
 inline constexpr std::size_t mostTries = 4000; // poses drawn per pose wanted
 
+/// What must be seen in a pose that is kept: "a camera sees eight corners of a board".
+std::string sufficientSight(const RobotScene& scene);
+
 /// A robot with true unknowns among things that truly stand somewhere; predicts what is read in a pose.
 class TrueRobot {
 public:
@@ -18,6 +21,10 @@ public:
   TrueRobot(const RobotScene& scene, const ScenePlan& plan);
   TrueRobot(RobotScene&&, const ScenePlan&) = delete;
   TrueRobot(const RobotScene&, ScenePlan&&) = delete;
+
+  /// Replaces the true unknowns by those of a fit; what it does not hold is zero. `effects`: definitions of its terms.
+  /// Throws InputError for terms that cannot act in this scene.
+  void adoptFit(const Model& fitted, const Eigen::VectorXd& unknowns, const std::vector<Effect>& effects);
 
   /// A pose as it is read.
   struct Pose {

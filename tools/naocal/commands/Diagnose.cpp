@@ -13,7 +13,7 @@
 #include "estimation/ModelFile.hpp"
 #include "io/InputError.hpp"
 #include "poses/PoseFile.hpp"
-#include "robot/LegKinematics.hpp"
+#include "scenes/SceneNextPoses.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -67,22 +67,13 @@ void readModel(DiagnoseCommand& command, const Robot& robot) {
   command.definitions = file.definitions;
 }
 
-bool isNao(const Measurements& measurements) {
-  return hasPlannableLegs(measurements.robot);
-}
-
 /// Proposes the next poses; only the open questions if no poses are needed.
 NextPoses asked(const DiagnoseCommand& command, const Measurements& measurements, const Diagnosis& diagnosis) {
-  if (!isNao(measurements)) {
-    NextPoses none;
-    none.whyNone = "poses are planned for NAOs only";
-    return none;
-  }
   NextPosesOptions options = command.next;
   options.count = command.json.empty() && command.poses.empty() ? 0 : options.count;
   options.seed = command.options.candidateTests.seed;
   try {
-    return proposeNextPoses(measurements, diagnosis, command.options, options);
+    return proposeSceneNextPoses(measurements, diagnosis, command.options, options);
   } catch (const InputError& error) { // the diagnosis stands all the same
     NextPoses none;
     none.whyNone = error.what();
@@ -134,9 +125,7 @@ int diagnose(DiagnoseCommand& command) {
       command.folds > 0 ? validate(command, measurements, diagnosis) : nlohmann::json(nullptr);
   if (!command.json.empty()) {
     nlohmann::json json = diagnosisJson(diagnosis, command.full ? allOfThem : drawable);
-    json["next"] = isNao(measurements)
-                       ? nextPosesJson(next, given.robot)
-                       : nlohmann::json{{"poses", nlohmann::json::array()}, {"why", ""}, {"whyNone", next.whyNone}};
+    json["next"] = nextPosesJson(next, given.robot);
     if (command.folds > 0) {
       json["crossValidated"] = validated;
     }

@@ -74,11 +74,12 @@ PoseCandidates samplePoses(const Robot& robot, const PlanningScene& scene, const
 std::vector<Eigen::MatrixXd> computeInformation(const Robot& robot, const PlanningScene& scene,
                                                 const std::vector<ValidPose>& poses, const Noise& noise);
 
-/// A pose in which the robot stands and sees a board.
+/// A pose in which the robot stands and is measured.
 struct PlannedPose {
   SupportFoot supportFoot = SupportFoot::left;
-  Eigen::VectorXd angles;           // motor command without offsets, per joint of the drawing [rad]
-  std::vector<VisibleBoard> sights; // for the drawn robot
+  Eigen::VectorXd angles;                // motor command without offsets, per joint of the drawing [rad]
+  std::vector<VisibleBoard> sights;      // for the drawn robot
+  std::vector<std::string> tracked = {}; // markers and frames that a tracker sees
 };
 
 /// A planned pose and its approach.

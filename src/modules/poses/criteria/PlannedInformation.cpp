@@ -31,26 +31,6 @@ std::vector<double> listAngles(const CaptureSet& set, const Robot& robot, const 
   return result;
 }
 
-/// The set's last capture, changed to a planned pose.
-Capture plannedCapture(const CaptureSet& set, const Robot& robot, const ProposedPose& planned) {
-  const Capture& last = set.captures.back();
-  Capture capture;
-  capture.time = last.time + Seconds{30};
-  capture.supportFoot = planned.pose.supportFoot;
-  capture.joints.measured = listAngles(set, robot, planned.pose.angles);
-  if (!last.joints.velocity.empty()) {
-    capture.joints.velocity.assign(set.jointNames.size(), 0);
-  }
-  if (!last.joints.approach.empty()) {
-    capture.joints.approach = listAngles(set, robot, planned.approach);
-  }
-  capture.joints.temperature = last.joints.temperature;
-  capture.joints.current = last.joints.current;
-  capture.imu = last.imu;
-  capture.fsr = last.fsr;
-  return capture;
-}
-
 /// The fit's unknowns, mapped to the extended model; new stances are at the last stance's place.
 Eigen::VectorXd extendUnknowns(const FittedModel& fitted, const Measurements& extended, const Model& model,
                                const std::vector<LocalScene>& around) {
@@ -87,6 +67,26 @@ template <typename Numbers> Placement onFloor(const Numbers& numbers) {
 }
 
 } // namespace
+
+Capture plannedCapture(const CaptureSet& set, const Robot& robot, const Eigen::VectorXd& angles,
+                       const Eigen::VectorXd& approach) {
+  const Capture& last = set.captures.back();
+  Capture capture;
+  capture.time = last.time + Seconds{30};
+  capture.supportFoot = last.supportFoot;
+  capture.joints.measured = listAngles(set, robot, angles);
+  if (!last.joints.velocity.empty()) {
+    capture.joints.velocity.assign(set.jointNames.size(), 0);
+  }
+  if (!last.joints.approach.empty()) {
+    capture.joints.approach = listAngles(set, robot, approach);
+  }
+  capture.joints.temperature = last.joints.temperature;
+  capture.joints.current = last.joints.current;
+  capture.imu = last.imu;
+  capture.fsr = last.fsr;
+  return capture;
+}
 
 Eigen::VectorXd drawApproach(const Robot& robot, std::mt19937_64& random) {
   Eigen::VectorXd result(eigenIndex(robot.joints.size()));
@@ -138,7 +138,8 @@ std::vector<CaptureSet> appendPlannedCaptures(const std::vector<CaptureSet>& set
     set.stances.push_back({plannedStanceId(sets, foot), foot, std::nullopt});
   }
   for (std::size_t i = 0; i < poses.size(); ++i) {
-    Capture capture = plannedCapture(sets.back(), robot, poses[i]);
+    Capture capture = plannedCapture(sets.back(), robot, poses[i].pose.angles, poses[i].approach);
+    capture.supportFoot = poses[i].pose.supportFoot;
     capture.pose = plannedPoseName(i);
     capture.stance = plannedStanceId(sets, capture.supportFoot);
     for (const auto& [camera, lens] : set.cameras) {
@@ -229,33 +230,41 @@ PoseInformation marginalInformation(PoseSystem pose, const Noise& noise, double 
   return {pose.unknowns, marginalize(pose, noise, jointErrorRoot(pose, noise)).hessian};
 }
 
-PlannedInformation predictInformation(const FittedModel& fitted, const ModelAmbiguity& question,
-                                      const std::vector<LocalScene>& around, const std::vector<ProposedPose>& poses) {
-  const Measurements& measurements = fitted.measurements;
-  const Noise& noise = fitted.fit.noise;
-  const Measurements extended = buildMeasurements(appendPlannedCaptures(*measurements.sets, measurements.robot, poses),
-                                                  measurements.robot, measurements.samePlace);
-  PlannedInformation result{buildModel(extended, question.with, question.without, question.effects), {}, {}};
-  const Model model = addHypotheses(extended, result.own, question);
+PlannedInformation linearizePlans(const Measurements& extended, const Model& model, const Noise& noise,
+                                  const Eigen::VectorXd& unknowns, std::size_t planned, double samples) {
   const Residuals residuals{extended, model, noise};
-  const auto linear = residuals.linearize(residuals.startState(extendUnknowns(fitted, extended, model, around)));
+  const auto linear = residuals.linearize(residuals.startState(unknowns));
   if (!linear) {
     throw InputError{"the fit puts a corner that was seen behind the camera: these captures do not belong together"};
   }
-  std::map<std::string, std::size_t> planned;
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    planned[plannedPoseName(i)] = i;
+  std::map<std::string, std::size_t> numbers;
+  for (std::size_t i = 0; i < planned; ++i) {
+    numbers[plannedPoseName(i)] = i;
   }
-  const double samples = samplesPerPose(measurements);
+  PlannedInformation result;
   result.known = model.sigmas().cwiseAbs2().cwiseInverse().asDiagonal();
-  result.promised.resize(poses.size());
+  result.promised.resize(planned);
   for (std::size_t pose = 0; pose < linear->poses.size(); ++pose) {
-    if (const auto found = planned.find(extended.poses[pose].name); found != planned.end()) {
+    if (const auto found = numbers.find(extended.poses[pose].name); found != numbers.end()) {
       result.promised[found->second] = marginalInformation(linear->poses[pose], noise, samples);
     } else {
       marginalInformation(linear->poses[pose], noise).addTo(result.known);
     }
   }
+  return result;
+}
+
+PlannedInformation predictInformation(const FittedModel& fitted, const ModelAmbiguity& question,
+                                      const std::vector<LocalScene>& around, const std::vector<ProposedPose>& poses) {
+  const Measurements& measurements = fitted.measurements;
+  const Measurements extended = buildMeasurements(appendPlannedCaptures(*measurements.sets, measurements.robot, poses),
+                                                  measurements.robot, measurements.samePlace);
+  Model own = buildModel(extended, question.with, question.without, question.effects);
+  const Model model = addHypotheses(extended, own, question);
+  PlannedInformation result =
+      linearizePlans(extended, model, fitted.fit.noise, extendUnknowns(fitted, extended, model, around), poses.size(),
+                     samplesPerPose(measurements));
+  result.own = std::move(own);
   return result;
 }
 

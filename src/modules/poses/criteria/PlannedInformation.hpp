@@ -34,6 +34,11 @@ std::vector<LocalScene> findLocalScenes(const FittedModel& fitted);
 std::vector<CaptureSet> appendPlannedCaptures(const std::vector<CaptureSet>& sets, const Robot& robot,
                                               const std::vector<ProposedPose>& poses);
 
+/// A set's last capture, changed to a planned pose: what it reads at other than the joints stays. `angles`: what the
+/// encoders read [rad].
+Capture plannedCapture(const CaptureSet& set, const Robot& robot, const Eigen::VectorXd& angles,
+                       const Eigen::VectorXd& approach);
+
 /// Corners visible to a camera, with pixel coordinates 0.
 std::vector<BoardCorners> cornersSeenBy(const std::string& camera, const std::vector<VisibleBoard>& sights);
 
@@ -65,6 +70,12 @@ struct PlannedInformation {
   Eigen::MatrixXd known;                 // priors plus captures
   std::vector<PoseInformation> promised; // per planned pose
 };
+
+/// Information of a measurement model linearised at `unknowns`, for measurements that hold captures and `planned` poses
+/// (plannedPoseName). `samples`: images of each planned pose. Does not fill `own`. Throws InputError if a corner is
+/// behind its camera there.
+PlannedInformation linearizePlans(const Measurements& extended, const Model& model, const Noise& noise,
+                                  const Eigen::VectorXd& unknowns, std::size_t planned, double samples = 1);
 
 /// Information of the measurement model linearised at the fit, for captures and planned poses (appendPlannedCaptures);
 /// the suspects' unknowns are zero. Throws InputError if the fit puts a corner behind the camera.

@@ -17,25 +17,35 @@ constexpr double knownWeight = 0.13 * 0.13 / (0.07 * 0.07);
 /// Order of the norm that replaces the maximum of variances: smooth, so that refinement does not get stuck.
 constexpr double softness = 4;
 
+/// Indices of a scene's unknowns that come after `first` ones.
+std::vector<Eigen::Index> indicesAfter(std::size_t first, const PlanningScene& scene) {
+  std::vector<Eigen::Index> result(static_cast<std::size_t>(scene.priorInformation().rows()) - first);
+  std::iota(result.begin(), result.end(), eigenIndex(first));
+  return result;
+}
+
 } // namespace
 
-PoseCriterion::PoseCriterion(const Robot& robot, const PlanningScene& scene, std::vector<std::size_t> joints,
-                             Criterion criterion, bool known)
-    : prior_{scene.priorInformation()}, joints_{std::move(joints)}, criterion_{criterion} {
-  if (!known) {
-    order_.resize(static_cast<std::size_t>(prior_.rows()) - robot.joints.size());
-    std::iota(order_.begin(), order_.end(), static_cast<Eigen::Index>(robot.joints.size()));
-  }
-  order_.insert(order_.end(), joints_.begin(), joints_.end());
+PoseCriterion::PoseCriterion(Eigen::MatrixXd prior, std::vector<Eigen::Index> others,
+                             const std::vector<Eigen::Index>& targets, Criterion criterion)
+    : prior_{std::move(prior)}, order_{std::move(others)}, targets_{eigenIndex(targets.size())}, criterion_{criterion} {
+  order_.insert(order_.end(), targets.begin(), targets.end());
 }
+
+PoseCriterion::PoseCriterion(const Robot& robot, const PlanningScene& scene, const std::vector<std::size_t>& joints,
+                             Criterion criterion, bool known)
+    : PoseCriterion{scene.priorInformation(),
+                    known ? std::vector<Eigen::Index>{} : indicesAfter(robot.joints.size(), scene),
+                    {joints.begin(), joints.end()},
+                    criterion} {}
 
 Eigen::MatrixXd PoseCriterion::relevantInformation(const Eigen::MatrixXd& information) const {
   return information(order_, order_);
 }
 
 Eigen::MatrixXd PoseCriterion::covariance(const Eigen::MatrixXd& sum) const {
-  // The offsets come last: their block of L is the root of their information with all else marginalised.
-  const auto count = static_cast<Eigen::Index>(joints_.size());
+  // The targets come last: their block of L is the root of their information with all else marginalised.
+  const Eigen::Index count = targets_;
   const Eigen::LLT<Eigen::MatrixXd> factor{sum};
   const Eigen::MatrixXd corner = factor.matrixLLT().bottomRightCorner(count, count);
   const Eigen::MatrixXd inverse = corner.triangularView<Eigen::Lower>().solve(Eigen::MatrixXd::Identity(count, count));
@@ -57,9 +67,8 @@ double PoseCriterion::operator()(const Eigen::MatrixXd& information) const {
   case Criterion::time:
     break;
   }
-  const auto count = static_cast<Eigen::Index>(joints_.size());
   const Eigen::MatrixXd known =
-      information.bottomRightCorner(count, count).llt().solve(Eigen::MatrixXd::Identity(count, count));
+      information.bottomRightCorner(targets_, targets_).llt().solve(Eigen::MatrixXd::Identity(targets_, targets_));
   const double sum =
       covariance.diagonal().array().pow(softness).sum() + (knownWeight * known.diagonal().array()).pow(softness).sum();
   return std::pow(sum, 1 / softness);

@@ -9,7 +9,7 @@
 
 namespace naocal {
 
-/// Objective of pose selection; C is the covariance of the joint offsets.
+/// Objective of pose selection; C is the covariance of the targets: joint offsets, and what else is asked for.
 enum class Criterion {
   determinant, // D: the volume, log det C
   trace,       // A: the mean variance
@@ -24,24 +24,27 @@ constexpr std::string_view toString(Criterion criterion) {
   return criterionNames[static_cast<std::size_t>(criterion)];
 }
 
-/// Evaluates information about a scene's unknowns (PlanningScene::information) by the offsets of some joints,
-/// marginalising cameras and boards.
+/// Evaluates information about a problem's unknowns by some of them, the targets, marginalising others. A planned NAO's
+/// are the offsets of its joints, with cameras and boards marginalised.
 class PoseCriterion {
 public:
-  /// `joints`: those that move the images. `known`: camera mounts and board placements are known.
-  PoseCriterion(const Robot& robot, const PlanningScene& scene, std::vector<std::size_t> joints, Criterion criterion,
-                bool known = false);
+  /// `prior`: information about all unknowns before any pose. Those that are neither `others` nor `targets` are known.
+  PoseCriterion(Eigen::MatrixXd prior, std::vector<Eigen::Index> others, const std::vector<Eigen::Index>& targets,
+                Criterion criterion);
 
-  /// The relevant block: other unknowns first, then the offsets.
+  /// For a scene's unknowns (PlanningScene::information). `joints`: those that move the images. `known`: camera mounts
+  /// and board placements are known.
+  PoseCriterion(const Robot& robot, const PlanningScene& scene, const std::vector<std::size_t>& joints,
+                Criterion criterion, bool known = false);
+
+  /// The relevant block: other unknowns first, then the targets.
   Eigen::MatrixXd relevantInformation(const Eigen::MatrixXd& information) const;
   Eigen::MatrixXd prior() const { return relevantInformation(prior_); }
 
-  /// Covariance of the offsets for a sum of blocks [rad^2].
+  /// Covariance of the targets for a sum of blocks.
   Eigen::MatrixXd covariance(const Eigen::MatrixXd& sum) const;
   /// Objective to minimise, for a sum of blocks (`interaction`, `discriminate`, `time`: as `worst`).
   double operator()(const Eigen::MatrixXd& information) const;
-
-  const std::vector<std::size_t>& joints() const { return joints_; }
 
   /// The same unknowns with another criterion.
   PoseCriterion withCriterion(Criterion criterion) const {
@@ -52,8 +55,8 @@ public:
 
 private:
   Eigen::MatrixXd prior_;
-  std::vector<std::size_t> joints_;
-  std::vector<Eigen::Index> order_;
+  std::vector<Eigen::Index> order_; // others, then targets
+  Eigen::Index targets_;
   Criterion criterion_;
 };
 

@@ -1,5 +1,6 @@
 #include "command-line/OptionChecks.hpp"
 #include "commands/Commands.hpp"
+#include "commands/plan/PosesOfRobot.hpp"
 #include "console/CommandLine.hpp"
 #include "console/OutputFiles.hpp"
 #include "console/PdfFiles.hpp"
@@ -101,12 +102,24 @@ std::map<std::string, Criterion> criteria() {
 }
 
 struct PosesCommand {
-  std::string robot = "V6", output, poseFiles, boards, extend, floor;
+  std::string robot = "V6", scene, output, poseFiles, boards, extend, floor;
   double jointErrorDegrees = 6.5, sigmaDegrees = 0.2;
   std::vector<std::string> weights;
   PlanOptions plan;
 
-  void run() {
+  void run(const CLI::App& poses) {
+    if (isOtherRobot(robot)) {
+      runOtherRobot(poses);
+      return;
+    }
+    if (!scene.empty()) {
+      throw InputError{
+          fmt::format("--scene: a {} is measured by its own cameras; name its boards with --boards", robot)};
+    }
+    if (!plan.effects.empty() && plan.effects.size() != 2) {
+      throw InputError{
+          fmt::format("--effects: expected two effects to tell apart for a NAO, found {}", plan.effects.size())};
+    }
     const Robot drawn = loadRobot(configurationDirectory(), robot);
     if (plan.mirrored && plan.poses.supportFoot == SupportFoot::both) {
       throw InputError{"--mirror: expected --support left or right, found both; poses on both feet look at both legs"};
@@ -117,12 +130,12 @@ struct PosesCommand {
     plan.poses.limitMargin = plan.poses.stability.jointError = radians(jointErrorDegrees);
     plan.sigma = radians(sigmaDegrees);
     plan.weights = readWeights(weights, drawn);
-    PlanInputs scene = boards.empty() ? defaultPlanInputs() : readPlanInputs(boards);
+    PlanInputs inputs = boards.empty() ? defaultPlanInputs() : readPlanInputs(boards);
     if (!extend.empty()) {
-      extendPlan(extend, drawn, scene.boards, plan);
+      extendPlan(extend, drawn, inputs.boards, plan);
     }
     const PosePlan result =
-        planPoses(drawn, std::move(scene), plan, [](const std::string& what) { printText(stderr, "{}\n", what); });
+        planPoses(drawn, std::move(inputs), plan, [](const std::string& what) { printText(stderr, "{}\n", what); });
     printPlan(result);
     writeJson(planJson(result, drawn), output);
     printText("{} holds the poses and where the boards are\n", output);
@@ -136,6 +149,20 @@ struct PosesCommand {
       writePoseFiles(result, drawn, poseFiles);
       printText("{} holds a .pose file for each\n", poseFiles);
     }
+  }
+
+  void runOtherRobot(const CLI::App& poses) const {
+    refuseNaoOptions(poses, robot, naoOptionsOfPoses());
+    PosesOfRobot asked{.robot = robot,
+                       .scene = scene,
+                       .support = std::string{supportFootWords[static_cast<std::size_t>(plan.poses.supportFoot)]},
+                       .output = output,
+                       .plan = {.count = plan.poses.count, .criterion = plan.criterion, .effects = plan.effects},
+                       .candidates = {.seed = plan.poses.seed}};
+    if (poses.get_option("--candidates")->count() > 0) {
+      asked.candidates.draws = plan.poses.maxAttempts;
+    }
+    planPosesOfRobot(asked);
   }
 };
 
@@ -158,11 +185,19 @@ void addPoses(CLI::App& app) {
                    "PLAN.pdf, to be written: the floor with boards, feet and distances, to print")
       ->type_name("FILE")
       ->check(replaceablePdf(floorPdfCreator));
-  poses->add_option("--robot", command->robot, "its model")->type_name("MODEL")->capture_default_str();
+  poses->add_option("--robot", command->robot, "its model, or the URDF of any robot")
+      ->type_name("MODEL|URDF")
+      ->capture_default_str();
+  poses
+      ->add_option("--scene", command->scene,
+                   "what measures a robot that is no NAO: cameras, boards, trackers, markers; default: what suits it")
+      ->type_name("FILE");
   poses->add_option("--support", plan.poses.supportFoot, "the foot to stand on")
       ->transform(oneOf(supportFeet))
       ->default_str("left");
-  poses->add_option("--candidates", plan.poses.maxAttempts, "candidate poses to sample and filter")
+  poses
+      ->add_option("--candidates", plan.poses.maxAttempts,
+                   "candidate poses to sample and filter; of robots other than NAOs at most 100000 unless given")
       ->group(expertOptions)
       ->capture_default_str()
       ->check(wholeNumber(1, 100'000'000));
@@ -189,11 +224,10 @@ void addPoses(CLI::App& app) {
   poses
       ->add_option("--effects", plan.effects,
                    "two effects, such as elasticity@LKneePitch,backlash@LKneePitch; reports how well the "
-                   "poses distinguish them")
+                   "poses distinguish them. Of other robots than NAOs: effects that the poses tell as well")
       ->type_name("EFFECT@PLACE")
       ->group(expertOptions)
-      ->delimiter(',')
-      ->expected(2);
+      ->delimiter(',');
   poses
       ->add_option(
           "--weight", command->weights,
@@ -234,8 +268,10 @@ void addPoses(CLI::App& app) {
   poses->add_option("--seed", plan.poses.seed, "the same seed plans the same")
       ->group(expertOptions)
       ->capture_default_str();
-  poses->callback([command] { command->run(); });
-  poses->footer("Example: naocal poses -o poses.json --select 8, then naocal simulate set --poses poses.json");
+  poses->callback([command, poses] { command->run(*poses); });
+  poses->footer("Example: naocal poses -o poses.json --select 8, then naocal simulate set --poses poses.json\n"
+                "A robot with a URDF: naocal poses -o poses.json --robot arm.urdf --select 16, then\n"
+                "  naocal simulate set --robot arm.urdf --poses poses.json");
 }
 
 } // namespace naocal

@@ -58,10 +58,8 @@ std::map<std::string, CameraIntrinsics> cameras(const std::string& size) {
 
 /// Adds poses: the requested number, or those of a file.
 void addPoses(const SimulateOptions& options, const Robot& robot, SimulationPlan& plan) {
-  const bool isNegative = options.poses.starts_with('-');
-  if (options.poses.find_first_not_of("0123456789", isNegative ? 1 : 0) == std::string::npos) {
-    const std::size_t count = parsePoseCount(options.poses, "or a pose file");
-    plan.poses = planStandingPoses(robot, plan, feet.at(options.support), count, options.seed);
+  if (const auto count = parsePoseCount(options.poses)) {
+    plan.poses = planStandingPoses(robot, plan, feet.at(options.support), *count, options.seed);
     return;
   }
   PoseFile file = readPoseFile(options.poses, robot);
@@ -309,6 +307,14 @@ std::size_t readingCount(const CaptureSet& set) {
   return count;
 }
 
+std::size_t poseCount(const CaptureSet& set) {
+  std::set<std::string> poses;
+  for (const Capture& capture : set.captures) {
+    poses.insert(capture.pose);
+  }
+  return poses.size();
+}
+
 std::vector<std::string> splitAtCommas(const std::string& text) {
   std::vector<std::string> parts;
   std::istringstream words{text};
@@ -343,7 +349,7 @@ RobotSimulation describeRobot(const SimulateOptions& options, bool hasPixelNoise
 
 /// Simulates a robot that is no NAO.
 void simulateOtherRobot(const SimulateOptions& options, const CLI::App& simulator) {
-  refuseNaoOptions(simulator, options.robot);
+  refuseNaoOptions(simulator, options.robot, naoOptionsOfSimulate());
   const auto before = picturesIn(options.output);
   const bool hasPixelNoise = simulator.get_option("--pixel-noise")->count() > 0;
   SceneSimulation simulation = simulateRobot(describeRobot(options, hasPixelNoise));
@@ -364,8 +370,8 @@ void simulateOtherRobot(const SimulateOptions& options, const CLI::App& simulato
               options.json);
   }
   if (options.json != "-") {
-    printText("{}: {} captures of {} poses, {} corners, {} tracker readings\n", options.robot, captures, options.poses,
-              corners, readings);
+    printText("{}: {} captures of {} poses, {} corners, {} tracker readings\n", options.robot, captures,
+              poseCount(simulation.set), corners, readings);
     printText("self-collision: {} of {} links have a shape to collide with\n", simulation.shapedLinks,
               simulation.links);
     printText("set:   {}\ntruth: {}\n", options.output, truth.string());

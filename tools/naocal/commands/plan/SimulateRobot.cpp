@@ -3,9 +3,9 @@
 #include "io/Files.hpp"
 #include "io/Folders.hpp"
 #include "io/InputError.hpp"
-#include "robot/LegKinematics.hpp"
+#include "poses/PoseFile.hpp"
+#include "robot/RobotOfSet.hpp"
 
-#include <CLI/CLI.hpp>
 #include <charconv>
 #include <fmt/format.h>
 
@@ -13,13 +13,6 @@ namespace naocal {
 
 namespace {
 
-bool isUrdf(const std::string& robot) {
-  return std::filesystem::path{robot}.extension() == ".urdf";
-}
-
-struct NaoOption {
-  const char *name, *why;
-};
 constexpr const char* ofPictures = "pictures are rendered for NAOs only";
 constexpr NaoOption naoOptions[]{{"--boards", "a scene says which boards there are (--scene)"},
                                  {"--repeat-kind", "other robots rest between the samples of a pose"},
@@ -34,46 +27,50 @@ constexpr NaoOption naoOptions[]{{"--boards", "a scene says which boards there a
                                  {"--vignetting", ofPictures},
                                  {"--jpeg-quality", ofPictures}};
 
+/// Sets the poses of a plan: a number of random ones, or those of a file for the scene's robot on the same foot, in the
+/// file's stance.
+void setPoses(const std::string& poses, RobotScene& scene, ScenePlan& plan) {
+  if (const auto count = parsePoseCount(poses)) {
+    plan.poses = *count;
+    return;
+  }
+  PoseFile file = readPoseFile(poses, loadRobot(scene.set));
+  plan.given = std::move(file.poses);
+  scene.set.stances.front().id = file.firstStance;
+  for (const PlayablePose& pose : plan.given) {
+    if (pose.supportFoot != scene.set.stances.front().supportFoot) {
+      throw InputError{fmt::format("{}: expected poses on what the robot stands on here, found {} on another; give the "
+                                   "--support or the --scene that they were planned with",
+                                   poses, pose.id)};
+    }
+  }
+}
+
 } // namespace
 
-std::size_t parsePoseCount(const std::string& poses, const std::string& remark) {
+std::optional<std::size_t> parsePoseCount(const std::string& poses) {
   constexpr std::size_t most = 1000;
+  const bool isNegative = poses.starts_with('-');
+  if (poses.find_first_not_of("0123456789", isNegative ? 1 : 0) != std::string::npos) {
+    return std::nullopt;
+  }
   std::size_t count = 0;
   const char* const end = poses.data() + poses.size();
   const auto [rest, error] = std::from_chars(poses.data(), end, count);
   if (rest != end || error != std::errc{} || count < 1 || count > most) {
-    throw InputError{fmt::format("--poses: expected a whole number, 1 to {}, {}, found \"{}\"", most, remark, poses)};
+    throw InputError{
+        fmt::format("--poses: expected a whole number, 1 to {}, or a pose file, found \"{}\"", most, poses)};
   }
   return count;
 }
 
-bool isOtherRobot(const std::string& robot) {
-  return isUrdf(robot) || !hasPlannableLegs(loadRobot(configurationDirectory(), robot));
-}
-
-void refuseNaoOptions(const CLI::App& simulator, const std::string& robot) {
-  for (const NaoOption& option : naoOptions) {
-    if (simulator.get_option(option.name)->count() > 0) {
-      throw InputError{fmt::format("{}: {}; leave it out for {}", option.name, option.why, robot)};
-    }
-  }
-  if (isUrdf(robot) && simulator.get_option("--support")->count() > 0) {
-    throw InputError{
-        fmt::format("--support: a scene's `supportLinks` say what a robot with a URDF stands on (--scene); "
-                    "leave it out for {}",
-                    robot)};
-  }
+std::span<const NaoOption> naoOptionsOfSimulate() {
+  return naoOptions;
 }
 
 SceneSimulation simulateRobot(RobotSimulation asked) {
-  if (asked.support == "both") {
-    throw InputError{fmt::format("--support: expected left or right for {}, found both", asked.robot)};
-  }
-  const CaptureSet robot =
-      makeRobotOnly(asked.robot, asked.support == "right" ? SupportFoot::right : SupportFoot::left);
-  asked.plan.poses = parsePoseCount(asked.poses, "for a robot that is no NAO");
-  RobotScene scene =
-      asked.scene.empty() ? makeDefaultScene(robot, asked.plan.seed) : readRobotScene(asked.scene, robot);
+  RobotScene scene = loadScene(asked.robot, asked.scene, asked.support, asked.plan.seed);
+  setPoses(asked.poses, scene, asked.plan);
   if (asked.hasPixelNoise) {
     scene.noise.pixel = asked.pixelNoise;
   }

@@ -1,8 +1,11 @@
 #pragma once
 
+#include "commands/plan/OtherRobot.hpp"
 #include "scenes/SceneSimulation.hpp"
 
-#include <CLI/App.hpp>
+#include <cstddef>
+#include <optional>
+#include <span>
 #include <string>
 
 namespace naocal {
@@ -13,20 +16,17 @@ struct RobotSimulation {
   bool hasPixelNoise = false;               // whether `pixelNoise` replaces the scene's
   double pixelNoise = 0;                    // [px]
   double poseNoise = 0;                     // added to the scene's if it has none [rad]
-  ScenePlan plan;                           // but for the number of poses
+  ScenePlan plan;                           // but for the poses
 };
 
-/// The number of poses that --poses asks for. Throws InputError for anything but a whole number, 1 to 1000; `remark`
-/// completes what was expected: "or a pose file".
-std::size_t parsePoseCount(const std::string& poses, const std::string& remark);
+/// The number of poses that --poses asks for; absent where it names a file. Throws InputError for a number that is not
+/// a whole one, 1 to 1000.
+std::optional<std::size_t> parsePoseCount(const std::string& poses);
 
-/// Whether the robot is none of those that `simulate` plans standing poses for: a URDF, or a model with other legs.
-bool isOtherRobot(const std::string& robot);
+/// Options of `naocal simulate` that only a NAO has.
+std::span<const NaoOption> naoOptionsOfSimulate();
 
-/// Throws InputError for an option that only a NAO's simulation has.
-void refuseNaoOptions(const CLI::App& simulator, const std::string& robot);
-
-/// Throws InputError for a scene, a number of poses or a flaw that this robot cannot have.
+/// Throws InputError for a scene, a number of poses, a pose file or a flaw that this robot cannot have.
 SceneSimulation simulateRobot(RobotSimulation asked);
 
 /// Copies the URDF into the set's folder and lets the set name the copy; nothing for a shipped model.

@@ -1,38 +1,105 @@
 #include "console/print/PrintPlan.hpp"
 
 #include "console/print/PrintText.hpp"
+#include "io/Units.hpp"
 #include "math/Angles.hpp"
 #include "poses/candidates/BoardPlacement.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/core.h>
+#include <fmt/ranges.h>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace naocal {
 
 namespace {
 
-void printSieve(const PassCounts& sieve) {
-  printText("\n{:>10} attitudes drawn\n{:>10} within reach and joint limits\n{:>10} without self-collision\n"
-            "{:>10} stable, also with joint errors\n{:>10} with a board in view\n\n",
-            sieve.generated, sieve.reachable, sieve.collisionFree, sieve.stable, sieve.seeing);
+/// How a robot's candidates are described that passed tests of balance and sight.
+struct SieveWords {
+  const char *reachable, *stable, *seeing;
+};
+constexpr SieveWords standingNao{"within reach and joint limits", "stable, also with joint errors",
+                                 "with a board in view"},
+    standingRobot{"within joint limits", "balanced, and above the floor", "in which enough is measured"},
+    mountedRobot{"within joint limits", "standing on their base", "in which enough is measured"};
+
+void printSieve(const PassCounts& sieve, const SieveWords& words) {
+  printText("\n{:>10} attitudes drawn\n{:>10} {}\n{:>10} without self-collision\n{:>10} {}\n{:>10} {}\n\n",
+            sieve.generated, sieve.reachable, words.reachable, sieve.collisionFree, sieve.stable, words.stable,
+            sieve.seeing, words.seeing);
+}
+
+/// Standard errors of an unknown.
+struct SigmaRow {
+  std::string name;
+  std::string unit; // SI
+  double asDrawn = 0;
+  std::optional<double> withErrors;
+  std::optional<double> known;
+};
+
+std::string barOf(double share) {
+  std::string bar;
+  for (int i = 0; i < static_cast<int>(std::lround(20 * share)); ++i) {
+    bar += "█";
+  }
+  return bar;
+}
+
+/// A table of standard errors, with bars that compare those of the same unit.
+void printSigmaRows(const std::vector<SigmaRow>& rows) {
+  std::size_t width = 14;
+  std::map<std::string, double> worst;
+  for (const SigmaRow& row : rows) {
+    width = std::max(width, row.name.size());
+    worst[row.unit] = std::max(worst[row.unit], row.asDrawn);
+  }
+  const auto has = [&](auto SigmaRow::*column) {
+    return std::any_of(rows.begin(), rows.end(), [&](const SigmaRow& row) { return row.*column; });
+  };
+  const bool hasErrors = has(&SigmaRow::withErrors), hasKnown = has(&SigmaRow::known);
+  printText("  {:<{}} {:>11}{}{}\n", "", width, "as drawn", hasErrors ? "    with errors" : "",
+            hasKnown ? "    cameras and boards known" : "");
+  for (const SigmaRow& row : rows) {
+    const auto [unit, factor] = displayUnit(row.unit);
+    const std::string errors =
+                          hasErrors ? fmt::format("    {:>7.3f} {}", factor * row.withErrors.value_or(0), unit) : "",
+                      known = hasKnown ? fmt::format("    {:>5.3f} {}", factor * row.known.value_or(0), unit) : "";
+    printText("  {:<{}} {:>9.3f} {}{}{}  {}\n", row.name, width, factor * row.asDrawn, unit, errors, known,
+              barOf(row.asDrawn / worst[row.unit]));
+  }
 }
 
 void printSigmas(const PosePlan& plan) {
-  double worst = 0;
-  for (const auto& [joint, sigma] : plan.sigma) {
-    worst = std::max(worst, sigma);
-  }
   printText("standard error of each offset after these {} poses (one picture per camera and pose):\n",
             plan.poses.size());
-  printText("  {:<14} {:>11}    {:>9}    {}\n", "", "as drawn", "with errors", "cameras and boards known");
+  std::vector<SigmaRow> rows;
   for (const auto& [joint, sigma] : plan.sigma) {
-    std::string bar;
-    for (int i = 0; i < static_cast<int>(std::lround(20 * sigma / worst)); ++i) {
-      bar += "█";
-    }
-    printText("  {:<14} {:>9.3f} °    {:>7.3f} °    {:>5.3f} °  {}\n", joint, degrees(sigma),
-              degrees(plan.sigmaOfRobots.at(joint)), degrees(plan.sigmaKnown.at(joint)), bar);
+    rows.push_back({joint, "rad", sigma, plan.sigmaOfRobots.at(joint), plan.sigmaKnown.at(joint)});
+  }
+  printSigmaRows(rows);
+}
+
+std::vector<SigmaRow> toRows(const std::vector<PlannedSigma>& sigmas) {
+  std::vector<SigmaRow> rows;
+  for (const PlannedSigma& each : sigmas) {
+    rows.push_back({each.name, each.unit, each.sigma, std::nullopt, each.known});
+  }
+  return rows;
+}
+
+/// What the poses do not tell; joints that move nothing measured share a line.
+void printUntold(const CapturePlan& plan) {
+  std::map<std::string, std::vector<std::string>> byReason;
+  for (const UntoldUnknown& untold : plan.untold) {
+    byReason[untold.why].push_back(untold.name);
+  }
+  for (const auto& [why, names] : byReason) {
+    printText("not told: {} ({})\n", fmt::join(names, ", "), why);
   }
 }
 
@@ -119,12 +186,28 @@ void printComparison(const PosePlan& plan) {
 } // namespace
 
 void printPlan(const PosePlan& plan) {
-  printSieve(plan.sieve);
+  printSieve(plan.sieve, standingNao);
   printComparison(plan);
   printSigmas(plan);
   printMisfit(plan);
   printFloor(plan);
   printWay(plan);
+}
+
+void printPlan(const CapturePlan& plan) {
+  printSieve(plan.sieve, plan.isOnSole ? standingRobot : mountedRobot);
+  printText("standard error of each offset after these {} poses (one sample each):\n", plan.poses.size());
+  printSigmaRows(toRows(plan.offsets));
+  if (!plan.mounts.empty()) {
+    printText("of cameras on the robot:\n");
+    printSigmaRows(toRows(plan.mounts));
+  }
+  if (!plan.effects.empty()) {
+    printText("of the effects asked for:\n");
+    printSigmaRows(toRows(plan.effects));
+  }
+  printUntold(plan);
+  printText("ways between the poses are not tested: move slowly, and watch the robot\n");
 }
 
 } // namespace naocal
