@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 #include <csignal>
 #include <cstring>
+#include <memory>
 #include <new>
 #include <stdexcept>
 #include <sys/wait.h>
@@ -20,8 +21,8 @@ const Reader throwing{"throwing", [](std::string_view bytes) { static_cast<void>
 const Reader exhausted{"exhausted", [](std::string_view) { throw std::bad_alloc{}; }};
 void* (*volatile fill)(void*, int, std::size_t) = std::memset; // else the compiler leaves out memory that nobody reads
 const Reader growing{"growing", [](std::string_view) {
-                       std::vector<char> memory(std::size_t{largestGrowth + 200} << 20);
-                       fill(memory.data(), 'x', memory.size());
+                       const std::size_t size = std::size_t{largestGrowth + 50} << 20;
+                       fill(std::make_unique_for_overwrite<char[]>(size).get(), 'x', size); // touched once
                      }};
 const Reader endless{"endless", [](std::string_view bytes) {
                        for (volatile bool ends = bytes.empty(); !ends;) {
