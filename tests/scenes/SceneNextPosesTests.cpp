@@ -1,3 +1,4 @@
+#include "data/CaptureSetFile.hpp"
 #include "estimation/ModelBuilder.hpp"
 #include "io/Files.hpp"
 #include "poses/criteria/Discrimination.hpp"
@@ -92,6 +93,20 @@ TEST_CASE("poses proposed for an arm before a tracker resolve a question by as m
   CAPTURE(next.growth, proposed, random);
   CHECK(next.growth == Approx(proposed).epsilon(0.15));
   CHECK(proposed - 1 > 1.5 * (random - 1));
+}
+
+TEST_CASE("no poses are proposed where only touches measured an arm") {
+  // Proves the reason that people read; the other reasons are those of NAOs.
+  const TemporaryFolder folder;
+  writeArmSet(folder.path(), {.points = false, .frames = false});
+  const CaptureSet set = readCaptureSet(folder.path()).set;
+  const Measurements measurements = buildMeasurements({set}, loadRobot(set));
+  const Model model = buildModel(measurements);
+  const CalibrationResult fit = calibrate(measurements, model, {.testMissingEffects = false});
+  const NextPoses next = proposeSceneNextPoses({measurements, model, fit}, askForSpring());
+  CHECK(next.poses.empty());
+  CHECK(next.whyNone ==
+        "neither a camera nor a tracker measured the robot in the last set, and touches are not planned");
 }
 
 TEST_CASE("poses proposed for a K1 on one foot show it the boards of its set from a new stance", "[slow]") {

@@ -198,6 +198,10 @@ NextPoses proposeSceneNextPoses(const FittedModel& fitted, const ModelAmbiguity&
   const FittedPlaces places{fitted};
   const RobotScene scene{
       .set = places.placeLastSet(), .about = {}, .ranges = widenedRanges(sets.back(), measurements.robot), .noise = {}};
+  if (scene.set.cameras.empty() && scene.set.instruments.trackers.empty()) {
+    result.whyNone = "neither a camera nor a tracker measured the robot in the last set, and touches are not planned";
+    return result;
+  }
   const ScenePlan still{.given = {}, .seed = options.seed, .robotSeed = {}, .sceneSeed = {}, .spread = 0};
   TrueRobot robot{scene, still};
   robot.adoptFit(fitted.model, fitted.fit.unknowns, question.effects);
