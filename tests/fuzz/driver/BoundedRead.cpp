@@ -68,7 +68,7 @@ std::string typeName(const std::exception& error) {
 
 } // namespace
 
-std::optional<std::string> findFault(const Reader& reader, std::string_view bytes) {
+std::optional<std::string> findFault(const Reader& reader, std::string_view bytes, long growth) {
   const long before = peakMemory();
   try {
     const Deadline deadline;
@@ -80,8 +80,8 @@ std::optional<std::string> findFault(const Reader& reader, std::string_view byte
   } catch (const std::exception& error) {
     return fmt::format("expected an InputError, found {}: {}", typeName(error), error.what());
   }
-  if (const long growth = peakMemory() - before; growth > largestGrowth) {
-    return fmt::format("expected at most {} MiB more memory, found {}", largestGrowth, growth);
+  if (const long grown = peakMemory() - before; grown > growth) {
+    return fmt::format("expected at most {} MiB more memory, found {}", growth, grown);
   }
   return std::nullopt;
 }

@@ -11,8 +11,8 @@ inline constexpr int longestWait = 60;     // [s] of wall time: a reader that sl
 inline constexpr long largestGrowth = 512; // [MiB] of the process's peak of resident memory
 
 /// Reads one input. Returns what is wrong with the reader, in a sentence; absent if it accepts or refuses the input as
-/// documented. Aborts the process, with a sentence on standard error, if it takes longer than `longestRead` or
-/// `longestWait`. Sets SIGPROF and a thread-less timer; not for two threads.
-std::optional<std::string> findFault(const Reader& reader, std::string_view bytes);
+/// documented, in at most `growth` [MiB]. Aborts the process, with a sentence on standard error, if it takes longer
+/// than `longestRead` or `longestWait`. Sets SIGPROF and a thread-less timer; not for two threads.
+std::optional<std::string> findFault(const Reader& reader, std::string_view bytes, long growth = largestGrowth);
 
 } // namespace naocal
