@@ -6,7 +6,7 @@ import {tools, check, panelOf, folder, quietPage, livePicture, end} from "./brow
 import {robotIn} from "./robotHere.mjs";
 
 const [, , robotProgram, bridge, modules, configuration, minutes] = process.argv;
-const {launch} = tools(modules), robot = robotIn(folder(), robotProgram, configuration);
+const {launch} = tools(modules), robot = robotIn(folder(), robotProgram, configuration, {periodSeconds: 1 / 30});
 const panel = await panelOf(bridge, "--robot", await robot.start()), browser = await launch();
 const page = await quietPage(browser, panel.address), inspector = await page.context().newCDPSession(page);
 await livePicture(page);

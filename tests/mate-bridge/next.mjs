@@ -2,7 +2,7 @@
 // opens the robot's recording.
 // Proves the workflow from suggestion to new captures, across panel, bridge, library and robot process.
 // Usage: node next.mjs NAOCAL NAOCAL-ROBOT MATE-BRIDGE NODE_MODULES CONFIGURATION PICTURES
-import {existsSync, readdirSync, readFileSync, writeFileSync} from "node:fs";
+import {existsSync, readdirSync, readFileSync} from "node:fs";
 import {join} from "node:path";
 import {tools, check, happens, panelOf, run, folder, quietPage, livePicture, portrait, end} from "./browser.mjs";
 import {robotIn} from "./robotHere.mjs";
@@ -10,9 +10,7 @@ import {robotIn} from "./robotHere.mjs";
 const [, , naocal, robotProgram, bridge, modules, configuration, pictures] = process.argv;
 const {launch, axe} = tools(modules), here = folder();
 run(naocal, "simulate", join(here, "few"), "--hidden-flaw", "--flaw-scale", "0.3", "--poses", "6", "--samples", "2", "--repeat-kind", "reapproach", "--offset-degrees", "0.5", "--seed", "1");
-const simulation = join(here, "simulation.json");
-writeFileSync(simulation, JSON.stringify({offsetRangeDegrees: 0.5}));
-const robot = robotIn(here, robotProgram, configuration, ["--simulation", simulation]);
+const robot = robotIn(here, robotProgram, configuration, {offsetRangeDegrees: 0.5});
 const panel = await panelOf(bridge, join(here, "few"), "--robot", await robot.start()), browser = await launch();
 const page = await quietPage(browser, panel.address), tab = name => page.getByRole("button", {name, exact: true}).click();
 const idle = () => page.waitForFunction(() => document.getElementById("work").textContent === "");

@@ -9,7 +9,7 @@ import {tools, check, panelOf, folder, quietPage, livePicture, end} from "./brow
 import {robotIn} from "./robotHere.mjs";
 
 const [, , robotProgram, bridge, modules, configuration] = process.argv;
-const {launch} = tools(modules), robot = robotIn(folder(), robotProgram, configuration), kept = folder();
+const {launch} = tools(modules), robot = robotIn(folder(), robotProgram, configuration, {periodSeconds: 1 / 30}), kept = folder();
 const [subscribe, , update, requestList, list, , image] = [0, 1, 2, 3, 4, 5, 6];
 const images = ["Brain.CameraCalibration.top_image", "Brain.CameraCalibration.bottom_image"], values = ["Motion.angles", "Brain.cameras"];
 

@@ -78,6 +78,17 @@ TEST_CASE("the only board before a robot on one foot is named where it or the ro
   CHECK(told.why.find("(or the robot) moved by 10 mm") != std::string::npos);
 }
 
+TEST_CASE("a board on a wall that moved by 3 mm is named where noise explains the rest", "[slow]") {
+  // Proves that evidence of less than 3 sigma per pose is enough then; no effect describes the move.
+  const Placement about{.x = 0.9, .z = 0.5, .pitch = -1.3}, moved{.x = 0.9024, .y = 0.0018, .z = 0.5, .pitch = -1.3};
+  const CaptureSet set = k1BeforeMovedBoard("world", about, moved, 2);
+  const Diagnosis diagnosis = diagnoseSet(set);
+  CAPTURE(diagnosis.sentence);
+  CHECK(diagnosis.verdict == Verdict::badCaptures);
+  REQUIRE(diagnosis.anomalies.size() == 1);
+  CHECK(diagnosis.anomalies.front().moved == set.boards.front().id);
+}
+
 TEST_CASE("scatter of a robot that takes every pose once is no unknown effect", "[slow]") {
   // Proves for a shipped robot that scatter is estimated without repeated poses, too, from the errors within pictures.
   RobotScene scene = makeDefaultScene(makeRobotOnly("K1", SupportFoot::left), 3);

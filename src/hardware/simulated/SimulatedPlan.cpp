@@ -11,7 +11,8 @@
 namespace naocal {
 namespace {
 
-constexpr Range fewDegrees{0, 20, "degrees"}, fractions{0, 1, "s"}, shares{0, 1, ""}, greyLevels{0, 50, "grey levels"};
+constexpr Range fewDegrees{0, 20, "degrees"}, fractions{0, 1, "s"}, periods{0.01, 1, "s"}, shares{0, 1, ""},
+    greyLevels{0, 50, "grey levels"};
 
 /// Reads an optional number within `range`; `unit` converts it to the plan's unit.
 void take(const JsonCursor& top, const char* key, const Range& range, double unit, double& value) {
@@ -20,9 +21,9 @@ void take(const JsonCursor& top, const char* key, const Range& range, double uni
   }
 }
 
-void take(const JsonCursor& top, const char* key, Seconds& value) {
+void take(const JsonCursor& top, const char* key, const Range& range, Seconds& value) {
   double number = value.count();
-  take(top, key, fractions, 1, number);
+  take(top, key, range, 1, number);
   value = Seconds{number};
 }
 
@@ -77,6 +78,7 @@ SimulatedPlan readSimulatedPlan(const std::filesystem::path& file, SimulatedPlan
                              "mountRangeDegrees",
                              "playRangeDegrees",
                              "droopDegreesPerNewtonMetre",
+                             "periodSeconds",
                              "exposureSeconds",
                              "readOutSeconds",
                              "jitterSeconds",
@@ -101,9 +103,10 @@ SimulatedPlan readSimulatedPlan(const std::filesystem::path& file, SimulatedPlan
   take(top, "mountRangeDegrees", fewDegrees, radians(1), plan.mountRange);
   take(top, "playRangeDegrees", fewDegrees, radians(1), plan.playRange);
   take(top, "droopDegreesPerNewtonMetre", fewDegrees, radians(1), plan.servos.droop);
-  take(top, "exposureSeconds", plan.cameras.exposure);
-  take(top, "readOutSeconds", plan.cameras.readOut);
-  take(top, "jitterSeconds", plan.cameras.jitter);
+  take(top, "periodSeconds", periods, plan.cameras.period);
+  take(top, "exposureSeconds", fractions, plan.cameras.exposure);
+  take(top, "readOutSeconds", fractions, plan.cameras.readOut);
+  take(top, "jitterSeconds", fractions, plan.cameras.jitter);
   take(top, "lostShare", shares, 1, plan.cameras.lostShare);
   take(top, "pictureNoise", greyLevels, 1, plan.cameras.appearance.noise);
   if (const auto boards = top.find("boards")) {

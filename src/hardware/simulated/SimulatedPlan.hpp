@@ -63,7 +63,8 @@ SimulatedErrors drawErrors(const Robot& drawing, const SimulatedPlan& plan);
 ///     {"model": "V6", "seed": 1, "pace": "real",                                  or "quick"
 ///      "offsetRangeDegrees": 5, "mountRangeDegrees": 2, "playRangeDegrees": 0,    hidden errors, drawn by the seed
 ///      "droopDegreesPerNewtonMetre": 0.057,
-///      "exposureSeconds": 0.01, "readOutSeconds": 0.024, "jitterSeconds": 0, "lostShare": 0, "pictureNoise": 3,
+///      "periodSeconds": 0.033, "exposureSeconds": 0.01, "readOutSeconds": 0.024,  of a camera's pictures
+///      "jitterSeconds": 0, "lostShare": 0, "pictureNoise": 3,
 ///      "boards": [...]}                                                           as in a capture set, with placements
 ///
 /// Throws InputError that gives file, place, expectation and finding.

@@ -8,9 +8,9 @@
 #include <array>
 #include <boost/random/normal_distribution.hpp>
 #include <cmath>
-#include <limits>
 #include <opencv2/imgproc.hpp>
 #include <random>
+#include <span>
 #include <vector>
 
 namespace naocal {
@@ -96,15 +96,8 @@ Eigen::Vector2d distort(const Eigen::Vector2d& p, const std::array<double, 5>& d
           p.y() * radial + p1 * (r2 + 2 * p.y() * p.y()) + 2 * p2 * p.x() * p.y()};
 }
 
-constexpr std::size_t behindCamera = std::numeric_limits<std::size_t>::max();
-
-std::size_t cellSeen(const FlatTexture& painting, const Eigen::Matrix3f& planeFromRay, const Eigen::Vector2f& ray) {
-  const Eigen::Vector3f p = planeFromRay.leftCols<2>() * ray + planeFromRay.col(2);
-  return p.z() > 0 ? painting.cellAt(p.x() / p.z(), p.y() / p.z()) : behindCamera;
-}
-
 float cellBrightness(const FlatObject& flat, std::size_t cell) {
-  return cell == behindCamera ? -1 : flat.painting->brightness(cell, flat.fromBehind);
+  return cell == FlatTexture::behindCamera ? -1 : flat.painting->brightness(cell, flat.fromBehind);
 }
 
 /// Hash of a pixel's coordinates to [0, 1): shifts its samples, so that edges do not meet the same sample pattern in
@@ -119,7 +112,7 @@ RowRenderer::RowRenderer(const std::vector<FlatObject>& flats, const std::vector
     : rays_{rays}, width_{width}, moves_{!flats.empty() && flats.front().planeFromRay.size() > 1} {
   for (const FlatObject& flat : flats) {
     Candidate& candidate = all_.emplace_back(Candidate{&flat, {}, {}});
-    candidate.cells.fill(std::vector<std::size_t>(std::size_t(width + 1), behindCamera));
+    candidate.cells.fill(std::vector<std::size_t>(std::size_t(width + 1), FlatTexture::behindCamera));
     candidate.planeFromRay.assign(moves_ ? samples : 1, flat.planeFromRay.front());
   }
 }
@@ -133,9 +126,9 @@ void RowRenderer::prepare(Candidate& candidate, int y, float begin, float end) c
     }
   }
   const auto look = [&](std::vector<std::size_t>& cells, int row, const Eigen::Matrix3f& planeFromRay) {
-    for (int x = flat.left; x <= flat.right + 1; ++x) {
-      cells[std::size_t(x)] = cellSeen(*flat.painting, planeFromRay, ray(x, row));
-    }
+    const auto count = std::size_t(flat.right + 2 - flat.left);
+    flat.painting->findCellsOfRow(planeFromRay, {&ray(flat.left, row), count},
+                                  std::span{cells}.subspan(std::size_t(flat.left), count));
   };
   const Eigen::Matrix3f first = moves_ ? flat.at(begin) : flat.planeFromRay.front();
   const Eigen::Matrix3f last = moves_ ? flat.at(end) : first;
@@ -173,17 +166,22 @@ float RowRenderer::sampleTexture(int x, int y, float floor) const {
   const Eigen::Vector2f& corner = ray(x, y);
   const Eigen::Vector2f right = ray(x + 1, y) - corner, down = ray(x, y + 1) - corner;
   const float shift = scatter(unsigned(x), unsigned(y));
-  float sum = 0;
+  std::array<Eigen::Vector2f, samples> through;
   for (std::size_t i = 0; i < samples; ++i) {
-    const Eigen::Vector2f through =
-        corner + (float(i) + shift) / samples * right + (float(rows[i]) + shift) / samples * down;
-    float seen = -1;
-    for (std::size_t k = 0; k < mixed_.size() && seen < 0; ++k) {
-      const Candidate& candidate = *mixed_[k];
-      const Eigen::Matrix3f& planeFromRay = candidate.planeFromRay[moves_ ? i : 0];
-      seen = cellBrightness(*candidate.flat, cellSeen(*candidate.flat->painting, planeFromRay, through));
+    through[i] = corner + (float(i) + shift) / samples * right + (float(rows[i]) + shift) / samples * down;
+  }
+  std::array<float, samples> seen;
+  seen.fill(-1);
+  std::array<std::size_t, samples> cells;
+  for (const Candidate* candidate : mixed_) {
+    candidate->flat->painting->findCells(candidate->planeFromRay, through, cells);
+    for (std::size_t i = 0; i < samples; ++i) {
+      seen[i] = seen[i] < 0 ? cellBrightness(*candidate->flat, cells[i]) : seen[i];
     }
-    sum += seen < 0 ? floor : seen;
+  }
+  float sum = 0;
+  for (const float brightness : seen) {
+    sum += brightness < 0 ? floor : brightness;
   }
   return sum / samples;
 }

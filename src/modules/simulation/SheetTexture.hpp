@@ -2,7 +2,10 @@
 
 #include "data/Capture.hpp"
 
+#include <Eigen/Core>
+#include <limits>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace naocal {
@@ -13,8 +16,18 @@ class FlatTexture {
 public:
   virtual ~FlatTexture() = default;
 
+  static constexpr std::size_t behindCamera = std::numeric_limits<std::size_t>::max();
+
   /// Index of the cell at a point [m].
   virtual std::size_t cellAt(float x, float y) const = 0;
+  /// The cells that rays, (x, y) at z = 1, see; `behindCamera` where they do not meet the plane. `planeFromRay`: one
+  /// for all rays, or one for each.
+  virtual void findCells(std::span<const Eigen::Matrix3f> planeFromRay, std::span<const Eigen::Vector2f> rays,
+                         std::span<std::size_t> cells) const = 0;
+  /// The same of rays along a row of pixels: rays between two that see the same cell see it, too, since a row is next
+  /// to straight.
+  virtual void findCellsOfRow(const Eigen::Matrix3f& planeFromRay, std::span<const Eigen::Vector2f> rays,
+                              std::span<std::size_t> cells) const = 0;
 
   /// 0 ink, 1 paper, negative: outside. The back is all paper.
   float brightness(std::size_t cell, bool fromBehind) const {

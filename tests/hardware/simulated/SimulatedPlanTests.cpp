@@ -23,13 +23,14 @@ SimulatedPlan read(const std::string& text) {
 TEST_CASE("a simulated robot is described by a file, of which everything may be missing") {
   CHECK(read("{}").offsetRange == SimulatedPlan{}.offsetRange);
   const SimulatedPlan plan = read(R"({"seed": 7, "pace": "quick", "offsetRangeDegrees": 3, "playRangeDegrees": 0.5,
-    "exposureSeconds": 0.02, "lostShare": 0.1,
+    "periodSeconds": 0.1, "exposureSeconds": 0.02, "lostShare": 0.1,
     "boards": [{"id": "A", "placement": {"x": 0.5, "y": 0, "yaw": 0.1}}]})");
   CHECK(plan.seed == 7);
   CHECK(plan.pace == Pace::quick);
   CHECK(plan.offsetRange == Approx(radians(3)));
   CHECK(plan.playRange == Approx(radians(0.5)));
   CHECK(plan.mountRange == SimulatedPlan{}.mountRange);
+  CHECK(plan.cameras.period.count() == 0.1);
   CHECK(plan.cameras.exposure.count() == 0.02);
   CHECK(plan.cameras.lostShare == 0.1);
   CHECK(plan.boards.size() == 1);
@@ -41,6 +42,7 @@ TEST_CASE("a simulated robot's file with a wrong key or value is refused") {
   CHECK_THROWS_WITH(read(R"({"seeds": 7})"), Catch::Contains("seeds"));
   CHECK_THROWS_WITH(read(R"({"offsetRangeDegrees": -1})"), Catch::Contains("offsetRangeDegrees"));
   CHECK_THROWS_WITH(read(R"({"pace": "fast"})"), Catch::Contains("pace"));
+  CHECK_THROWS_WITH(read(R"({"periodSeconds": 0})"), Catch::Contains("periodSeconds"));
   CHECK_THROWS_WITH(read(R"({"boards": [{"id": "A"}]})"), Catch::Contains("placement"));
   CHECK_THROWS_AS(read("{"), InputError);
 }

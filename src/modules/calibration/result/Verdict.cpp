@@ -7,20 +7,24 @@
 #include "inference/Thresholds.hpp"
 #include "io/Units.hpp"
 #include "math/Angles.hpp"
+#include "math/LinearAlgebra.hpp"
 
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <limits>
 
 namespace naocal {
 
 namespace {
 
-/// Whether a term can do what an offset does: an unknown placement, or the drawing's step to a joint.
+/// Whether a term can do what an offset does: an unknown placement, a camera's mount, or the drawing's step to a joint.
 bool canImitate(const Term& term) {
-  return term.isPlacement || term.effect.name == effectName::linkGeometry;
+  const std::string& name = term.effect.name;
+  return term.isPlacement || name == effectName::linkGeometry || name == effectName::cameraRotation ||
+         name == effectName::cameraTranslation;
 }
 
 /// The imitator that an offset is most correlated with.
@@ -138,19 +142,35 @@ void warn(About about, std::string sentence, CalibrationResult& result) {
   result.warnings.push_back({about, std::move(sentence)});
 }
 
+/// How far apart the poses take a joint [rad, m].
+double rangeOf(std::size_t joint, const Measurements& measurements) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const ImageObservation& picture : measurements.pictures) {
+    const double angle = picture.instant.q[eigenIndex(joint)];
+    low = std::min(low, angle);
+    high = std::max(high, angle);
+  }
+  return high - low;
+}
+
 /// Warns of offsets that the captures do not determine; such a result is unusable.
-void checkOffsets(const Model& model, const HeldOffsets& held, CalibrationResult& result) {
+void checkOffsets(const Measurements& measurements, const Model& model, const HeldOffsets& held,
+                  CalibrationResult& result) {
+  constexpr double far = 0.3; // [rad, m]: a joint that moves so far would show, if what is measured moved with it
   for (const Term& term : model.terms()) {
     const Estimate& estimate = result.estimates[term.first];
     if (term.effect.name == effectName::jointOffset && term.requested && !held.contains(term.first) &&
         estimate.learned < threshold::learned) {
       result.usable = false;
       warn(About::offset,
-           fmt::format("{} cannot be learned from these captures ({:.0f} % learned, ±{}): "
-                       "add poses that move it, or leave it out "
-                       "with --without {}",
-                       describeUnknown(term, 0), 100 * estimate.learned, formatSigma(term, estimate.sigma),
-                       term.label()),
+           fmt::format(
+               "{} cannot be learned from these captures ({:.0f} % learned, ±{}): "
+               "{}, or leave it out with --without {}",
+               describeUnknown(term, 0), 100 * estimate.learned, formatSigma(term, estimate.sigma),
+               rangeOf(term.placeIndex, measurements) < far
+                   ? "add poses that move it"
+                   : "it moves, but what is measured hardly moves with it; measure something further from its axis",
+               term.label()),
            result);
     }
   }
@@ -243,7 +263,7 @@ void judgeResult(const Measurements& measurements, const Model& model, Calibrati
          result);
   }
   const HeldOffsets held = findHeldOffsets(measurements, model, result);
-  checkOffsets(model, held, result);
+  checkOffsets(measurements, model, held, result);
   checkFloorError(result);
   const bool missing = result.pValue <= threshold::alarm && result.matters;
   const DisplacedBoardCount displaced{measurements, result.outliers};

@@ -88,7 +88,8 @@ std::string describeImitator(const Term& term) {
   case PlaceKind::board:
     return fmt::format("where board {} is", term.placeName);
   case PlaceKind::camera:
-    return fmt::format("where camera {} stands", term.placeName);
+    return term.isPlacement ? fmt::format("where camera {} stands", term.placeName)
+                            : fmt::format("how camera {} is mounted", term.placeName);
   case PlaceKind::tracker:
     return fmt::format("where tracker {} stands", term.placeName);
   case PlaceKind::marker:
