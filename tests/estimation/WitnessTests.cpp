@@ -1,6 +1,7 @@
 #include "estimation/ModelBuilder.hpp"
 #include "estimation/Residuals.hpp"
 #include "math/LevenbergMarquardt.hpp"
+#include "math/LinearAlgebra.hpp"
 #include "measurements/WitnessSource.hpp"
 #include "robot/Kinematics.hpp"
 #include "robot/Urdf.hpp"
@@ -33,7 +34,7 @@ const Eigen::Vector3d markerInHand{0.03, -0.02, 0.12};
 
 /// Readings of an arm whose joints' zeros are off by `offset`: a tracker's points and frames, and touches of places,
 /// each place in two attitudes that differ by a turn about the marker.
-CaptureSet measuredArm(const Robot& robot, const Eigen::Vector4d& offset) {
+CaptureSet measuredArm(const Robot& robot, const Eigen::Vector4d& offset, bool mimics = false) {
   CaptureSet set;
   set.name = "arm";
   set.version = 2;
@@ -47,7 +48,8 @@ CaptureSet measuredArm(const Robot& robot, const Eigen::Vector4d& offset) {
   std::mt19937_64 random{5};
   std::uniform_real_distribution<double> uniform{-1, 1};
   for (int i = 0; i < 24; ++i) {
-    const Eigen::Vector4d read{2 * uniform(random), uniform(random), 0.15 + 0.1 * uniform(random), 2 * uniform(random)};
+    Eigen::Vector4d read{2 * uniform(random), uniform(random), 0.15 + 0.1 * uniform(random), 2 * uniform(random)};
+    read[3] = mimics ? -0.5 * read[1] + 0.1 : read[3];
     const RigidTransform hand = forwardKinematics(robot, Eigen::VectorXd{read - offset})[*robot.linkIndex("hand")];
     Capture capture{.id = i, .pose = "P" + std::to_string(i), .time = Seconds{i}};
     capture.supportFoot = SupportFoot::none;
@@ -110,6 +112,18 @@ struct MeasuredArm {
   Measurements measurements = buildMeasurements({measuredArm(robot, offset)}, robot);
 };
 
+/// The same arm, whose hand rolls by minus half of what lifts it: one motor drives both.
+struct MimickingArm {
+  static std::string urdf() {
+    const std::string joint = R"(<axis xyz="0.6 0 0.8"/>)";
+    return std::string{armUrdf}.replace(armUrdf.find(joint), joint.size(),
+                                        joint + R"(<mimic joint="lift" multiplier="-0.5" offset="0.1"/>)");
+  }
+  Robot robot = parseUrdf(urdf(), "arm.urdf");
+  const Eigen::Vector4d offset{0, 0.03, 0.004, -0.015};
+  Measurements measurements = buildMeasurements({measuredArm(robot, offset, true)}, robot);
+};
+
 /// Where the initial estimate puts markers and places, zero for the rest.
 Eigen::VectorXd startOf(const Measurements& measurements, const Model& model) {
   Eigen::VectorXd start = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(model.unknownCount()));
@@ -124,22 +138,21 @@ Eigen::VectorXd startOf(const Measurements& measurements, const Model& model) {
   return start;
 }
 
-} // namespace
-
-TEST_CASE("the cost of every kind of measurement changes with every unknown as its derivatives say") {
-  // Compares the gradient for tracker points and frames, contacts, distances and a kind that only this test has with
-  // fine differences, over offsets, all candidates of a robot with a URDF, and all placements: the chain from link to
-  // world, each kind's own derivatives, the steps between links, the sums.
-  MeasuredArm arm;
-  addRangeFinders(Eigen::Vector4d::Zero(), arm.measurements);
-  const Model model = buildModel(arm.measurements, {"linkGeometry@*", "lateralElasticity@lift", "trackerScale@vicon",
-                                                    "motorCoupling@roll", "axisTilt@*", "elasticity@lift"});
-  const Residuals residuals{arm.measurements, model, exactJoints};
-  Eigen::VectorXd here = startOf(arm.measurements, model);
+/// Unknowns near those, none of them zero.
+Eigen::VectorXd somewhere(const Measurements& measurements, const Model& model) {
+  Eigen::VectorXd result = startOf(measurements, model);
   const Eigen::VectorXd sigmas = model.sigmas();
-  for (Eigen::Index i = 0; i < here.size(); ++i) {
-    here[i] += 0.3 * std::min(sigmas[i], 0.02) * std::sin(static_cast<double>(1 + i));
+  for (Eigen::Index i = 0; i < result.size(); ++i) {
+    result[i] += 0.3 * std::min(sigmas[i], 0.02) * std::sin(static_cast<double>(1 + i));
   }
+  return result;
+}
+
+/// Compares the gradient with fine differences of the cost.
+void checkGradient(const Measurements& measurements, const Model& model, const Noise& noise,
+                   const Eigen::VectorXd& here) {
+  const Residuals residuals{measurements, model, noise};
+  const Eigen::VectorXd sigmas = model.sigmas();
   const auto linear = residuals.linearize(residuals.startState(here));
   REQUIRE(linear);
   const auto cost = [&](const Eigen::VectorXd& unknowns) {
@@ -157,6 +170,40 @@ TEST_CASE("the cost of every kind of measurement changes with every unknown as i
     const double scale = std::sqrt(linear->hessian(i, i) * 2 * linear->cost);
     CHECK(linear->gradient[i] == Approx(numeric).epsilon(1e-6).margin(1e-7 * scale));
   }
+}
+
+/// The same with joint errors, which are minimised over.
+void checkGradientWithNoise(const Measurements& measurements, const Model& model, const Eigen::VectorXd& here) {
+  const Residuals residuals{measurements, model, {.encoder = 1e-4, .pose = 1e-3}};
+  const auto costAt = [&](const Eigen::VectorXd& unknowns, Eigen::VectorXd& gradient) {
+    Residuals::State state = residuals.startState(unknowns);
+    Residuals::Linear linear;
+    REQUIRE(residuals.linearize(state, linear));
+    gradient = linear.gradient;
+    return linear.cost;
+  };
+  Eigen::VectorXd gradient, other;
+  costAt(here, gradient);
+  const Eigen::VectorXd sigmas = model.sigmas().cwiseMin(0.02), scaled = gradient.cwiseProduct(sigmas);
+  for (Eigen::Index k = 0; k < here.size(); ++k) {
+    INFO(model.names()[static_cast<std::size_t>(k)]);
+    const Eigen::VectorXd step = 1e-3 * sigmas[k] * Eigen::VectorXd::Unit(here.size(), k);
+    CHECK((costAt(here + step, other) - costAt(here - step, other)) / 2e-3 ==
+          Approx(scaled[k]).margin(1e-3 * scaled.norm()));
+  }
+}
+
+} // namespace
+
+TEST_CASE("the cost of every kind of measurement changes with every unknown as its derivatives say") {
+  // Compares the gradient for tracker points and frames, contacts, distances and a kind that only this test has with
+  // fine differences, over offsets, all candidates of a robot with a URDF, and all placements: the chain from link to
+  // world, each kind's own derivatives, the steps between links, the sums.
+  MeasuredArm arm;
+  addRangeFinders(Eigen::Vector4d::Zero(), arm.measurements);
+  const Model model = buildModel(arm.measurements, {"linkGeometry@*", "lateralElasticity@lift", "trackerScale@vicon",
+                                                    "motorCoupling@roll", "axisTilt@*", "elasticity@lift"});
+  checkGradient(arm.measurements, model, exactJoints, somewhere(arm.measurements, model));
 }
 
 TEST_CASE("joints' zeros and all placements are found from readings of trackers, frames, contacts and distances") {
@@ -181,6 +228,34 @@ TEST_CASE("joints' zeros and all placements are found from readings of trackers,
     most = std::max(most, residual.residual.cwiseAbs().maxCoeff());
   }
   CHECK(most < 1e-4);
+}
+
+TEST_CASE("a motor's effects turn the joint that mimics it by its ratio") {
+  // Proves for every effect of a motor that the two joints keep their relation, that the cost changes with every
+  // unknown as its derivatives say, and that the motor's zero is found from readings made of both joints' true angles.
+  MimickingArm arm;
+  const Model model = buildModel(arm.measurements,
+                                 {"encoderGain@lift", "elasticity@lift", "encoderEccentricity@lift", "timeDrift@lift"});
+  const Eigen::VectorXd here = somewhere(arm.measurements, model);
+  const std::size_t lift = *arm.robot.jointIndex("lift"), roll = *arm.robot.jointIndex("roll");
+  for (const ImageObservation& picture : arm.measurements.pictures) {
+    const ModelState state = predictState(arm.measurements, model, picture, here);
+    CHECK(std::abs(state.angle(lift) - picture.instant.q[eigenIndex(lift)]) > 1e-3);
+    CHECK(state.angle(roll) == Approx(-0.5 * state.angle(lift) + 0.1).margin(1e-14));
+  }
+  checkGradient(arm.measurements, model, exactJoints, here);
+
+  const Model plain = buildModel(arm.measurements);
+  checkGradientWithNoise(arm.measurements, plain, somewhere(arm.measurements, plain));
+  const Residuals residuals{arm.measurements, plain, exactJoints};
+  const auto found = levenbergMarquardt(residuals, residuals.startState(startOf(arm.measurements, plain)));
+  REQUIRE(found);
+  const auto zero = [&](const char* label) {
+    return found->state.unknowns[static_cast<Eigen::Index>(plain.find(label)->first)];
+  };
+  CHECK(zero("jointOffset@lift") == Approx(arm.offset[1]).margin(1e-4));
+  CHECK(zero("jointOffset@slide") == Approx(arm.offset[2]).margin(1e-4));
+  CHECK(plain.find("jointOffset@roll") == nullptr);
 }
 
 TEST_CASE("a reading along a joint that was not recorded is refused") {

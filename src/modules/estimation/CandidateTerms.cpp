@@ -178,15 +178,16 @@ const char* missingInput(const RobotSample& instant, Driver driver, std::size_t 
 std::vector<std::size_t> jointsToRead(const Term& term, const Measurements& measurements,
                                       const ImageObservation& picture) {
   const Effect& effect = term.effect;
-  const std::vector<std::size_t> places = placesOn(term, measurements, picture);
+  const std::vector<CorrectedPlace> places = placesOn(term, measurements, picture);
   const bool shares = effect.placeKind == PlaceKind::sole && picture.instant.supportFoot == SupportFoot::both;
   if (picture.measuresNothing() || places.empty() || shares) {
     return {};
   }
   std::vector<std::size_t> joints = observedJoints(measurements.robot, picture);
   if (effect.placeKind == PlaceKind::motor || effect.placeKind == PlaceKind::joint) {
-    std::erase_if(joints,
-                  [&](std::size_t joint) { return std::find(places.begin(), places.end(), joint) == places.end(); });
+    std::erase_if(joints, [&](std::size_t joint) {
+      return std::none_of(places.begin(), places.end(), [&](const CorrectedPlace& one) { return one.place == joint; });
+    });
   }
   return joints;
 }

@@ -131,14 +131,14 @@ double stepOf(Driver driver) {
 /// Evaluates one correction: the change of each of its quantities at given values and drivers.
 class Correction {
 public:
-  Correction(const Effect& effect, std::size_t place, const std::vector<std::size_t>& quantities,
+  Correction(const Effect& effect, const CorrectedPlace& place, const std::vector<std::size_t>& quantities,
              const ModelState& drawn, ModelState& scratch)
       : effect_{effect}, place_{place}, quantities_{quantities}, drawn_{drawn}, scratch_{scratch} {}
 
   /// Calls `take(i, change)` for the i-th quantity.
   template <typename Take>
   void operator()(const RobotSample& instant, std::span<const double> values, Take take) const {
-    effect_.correct(scratch_, instant, place_, values);
+    place_.correct(scratch_, effect_, instant, values);
     for (std::size_t i = 0; i < quantities_.size(); ++i) {
       double& value = scratch_.values[eigenIndex(quantities_[i])];
       const double before = drawn_.values[eigenIndex(quantities_[i])];
@@ -149,7 +149,7 @@ public:
 
 private:
   const Effect& effect_;
-  std::size_t place_;
+  const CorrectedPlace& place_;
   const std::vector<std::size_t>& quantities_;
   const ModelState& drawn_;
   ModelState& scratch_;
@@ -163,7 +163,7 @@ EffectJacobian::EffectJacobian(const Measurements& measurements, const Model& mo
   ModelState modelState = picture.nominal;
   std::vector<Varying> varying;
   for (std::size_t term = 0; term < model.terms().size(); ++term) {
-    for (const std::size_t place : placesOn(model.terms()[term], measurements, picture)) {
+    for (const CorrectedPlace& place : placesOn(model.terms()[term], measurements, picture)) {
       Varying found = correction(model, picture, term, place, modelState, inGeneral);
       if (std::any_of(found.quantities.begin(), found.quantities.end(), std::cref(visible))) {
         varying.push_back(std::move(found));
@@ -179,13 +179,13 @@ EffectJacobian::EffectJacobian(const Measurements& measurements, const Model& mo
 
 /// Lists the slopes of a fixed correction; for a varying one, returns the quantities it corrects.
 EffectJacobian::Varying EffectJacobian::correction(const Model& model, const ImageObservation& picture,
-                                                   std::size_t term, std::size_t place, ModelState& modelState,
-                                                   std::optional<RobotSample>& inGeneral) {
+                                                   std::size_t term, const CorrectedPlace& place,
+                                                   ModelState& modelState, std::optional<RobotSample>& inGeneral) {
   const Effect& effect = model.terms()[term].effect;
-  Varying result{term, place, {}, drivers(effect, place), {}};
+  Varying result{term, place, {}, drivers(effect, place.source), {}};
   const bool fixed = effect.linear && result.drivers.empty();
   if (!effect.definition.empty()) { // user-defined: corrects its joint, even if zero within a dead band
-    result.quantities.push_back(picture.nominal.layout().angle(place));
+    result.quantities.push_back(picture.nominal.layout().angle(place.place));
     return result;
   }
   if (!fixed && !inGeneral) {
@@ -201,7 +201,7 @@ EffectJacobian::Varying EffectJacobian::correction(const Model& model, const Ima
     for (std::size_t i = 0; i < unknowns; ++i) {
       values[i] = i == k || k == unknowns ? effect.unknowns[i].sigma : 0;
     }
-    effect.correct(modelState, instant, place, values);
+    place.correct(modelState, effect, instant, values);
     for (Eigen::Index i = firstDifference(modelState.values, drawn, 0); i < drawn.size();
          i = firstDifference(modelState.values, drawn, i + 1)) {
       const auto quantity = static_cast<std::size_t>(i);
@@ -270,7 +270,7 @@ void EffectJacobian::applyVarying(const Model& model, const ImageObservation& pi
     const std::vector<Unknown>& own = term.effect.unknowns;
     const std::size_t width = own.size() + varying.offsets.size();
     std::fill_n(values, width * varying.quantities.size(), 0);
-    const Correction correction{term.effect, varying.at, varying.quantities, picture.nominal, scratch.modelState};
+    const Correction correction{term.effect, varying.place, varying.quantities, picture.nominal, scratch.modelState};
     const std::span<const double> here = term.values(unknowns);
     correction(driven.instant, here,
                [&](std::size_t i, double change) { modelState.values[eigenIndex(varying.quantities[i])] += change; });

@@ -46,12 +46,13 @@ public:
 
 private:
   struct Varying {
-    std::size_t term, at;                // index of the term, and one of its places
+    std::size_t term;
+    CorrectedPlace place;                // one of the term's
     std::vector<std::size_t> quantities; // quantities it corrects
     std::vector<RemoteDriver> drivers;   // its drivers that depend on offsets (com: x at 0, y at 1)
     std::vector<std::size_t> offsets;    // those offsets, as indices into the model's
   };
-  Varying correction(const Model& model, const ImageObservation& picture, std::size_t term, std::size_t place,
+  Varying correction(const Model& model, const ImageObservation& picture, std::size_t term, const CorrectedPlace& place,
                      ModelState& modelState, std::optional<RobotSample>& inGeneral);
   void listSlopes(const Robot& robot, const Model& model, Varying varying);
 

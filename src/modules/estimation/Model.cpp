@@ -84,17 +84,31 @@ bool isStanceSole(const Sole& sole, const RobotSample& instant) {
                                                    : instant.supportFoot != SupportFoot::none && sole.name == "left";
 }
 
-std::vector<std::size_t> placesOn(const Term& term, const Measurements& measurements, const ImageObservation& picture) {
+void CorrectedPlace::correct(ModelState& modelState, const Effect& effect, const RobotSample& instant,
+                             std::span<const double> values) const {
+  if (source == place) {
+    return effect.correct(modelState, instant, place, values);
+  }
+  double& angle = modelState.angle(source);
+  const double before = angle;
+  angle = 0; // so that no digit of the change is lost
+  effect.correct(modelState, instant, source, values);
+  modelState.angle(place) += ratio * angle;
+  angle = before;
+}
+
+std::vector<CorrectedPlace> placesOn(const Term& term, const Measurements& measurements,
+                                     const ImageObservation& picture) {
   const Robot& robot = measurements.robot;
   const auto only = [&](bool concerned) {
-    return concerned ? std::vector<std::size_t>{term.placeIndex} : std::vector<std::size_t>{};
+    return concerned ? std::vector<CorrectedPlace>{{term.placeIndex}} : std::vector<CorrectedPlace>{};
   };
-  std::vector<std::size_t> result;
+  std::vector<CorrectedPlace> result;
   switch (term.effect.placeKind) {
   case PlaceKind::motor:
     for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
       if (robot.joints[joint].motor == term.placeIndex) {
-        result.push_back(joint);
+        result.push_back({joint, term.placeIndex, robot.joints[joint].ratio});
       }
     }
     return result;
@@ -104,7 +118,7 @@ std::vector<std::size_t> placesOn(const Term& term, const Measurements& measurem
     }
     for (std::size_t board = 0; board < measurements.targets.size(); ++board) {
       if (measurements.targets[board].board.pattern) {
-        result.push_back(board);
+        result.push_back({board});
       }
     }
     return result;
@@ -131,8 +145,8 @@ ModelState predictState(const Measurements& measurements, const Model& model, co
   const RobotSample instant = sampleAt(measurements, model, picture, unknowns);
   ModelState modelState = picture.nominal;
   for (const Term& term : model.terms()) {
-    for (std::size_t at : placesOn(term, measurements, picture)) {
-      term.effect.correct(modelState, instant, at, term.values(unknowns));
+    for (const CorrectedPlace& place : placesOn(term, measurements, picture)) {
+      place.correct(modelState, term.effect, instant, term.values(unknowns));
     }
   }
   return modelState;

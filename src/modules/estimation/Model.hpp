@@ -65,9 +65,20 @@ bool isOnLeg(const Robot& robot, std::size_t joint);
 /// Whether a stance is attached to this sole; with both feet on the floor, to the left one.
 bool isStanceSole(const Sole& sole, const RobotSample& instant);
 
-/// Sites that a term corrects in a picture: each joint driven by its motor, each board for a shared effect, or its
-/// single place. Empty if the picture does not involve it.
-std::vector<std::size_t> placesOn(const Term& term, const Measurements& measurements, const ImageObservation& picture);
+/// A place that a term corrects. An effect of a motor acts on the motor's own joint, `source`; a joint that mimics it
+/// turns `ratio` times as far.
+struct CorrectedPlace {
+  std::size_t place, source = place;
+  double ratio = 1;
+
+  void correct(ModelState& modelState, const Effect& effect, const RobotSample& instant,
+               std::span<const double> values) const;
+};
+
+/// What a term corrects in a picture: each joint driven by its motor, each board for a shared effect, or its single
+/// place. Empty if the picture does not involve it.
+std::vector<CorrectedPlace> placesOn(const Term& term, const Measurements& measurements,
+                                     const ImageObservation& picture);
 
 /// Transfers unknowns to another model by name; new unknowns are zero.
 Eigen::VectorXd mapParameters(const Model& from, const Eigen::VectorXd& unknowns, const Model& to);

@@ -80,10 +80,11 @@ PreparedImage::Group groupOf(const StateLayout& quantities, const std::vector<st
   };
   for (std::size_t i = 0; i < slopes.size(); ++i) {
     add(std::lower_bound(unknowns.begin(), unknowns.end(), slopes[i].unknown) - unknowns.begin(), slopes[i].quantity,
-        1 + i);
+        i);
   }
   for (std::size_t i = 0; i < prepared.joints.size(); ++i) {
-    add(static_cast<Eigen::Index>(unknowns.size() + prepared.deflections[i]), quantities.angle(prepared.joints[i]), 0);
+    add(static_cast<Eigen::Index>(unknowns.size() + prepared.deflections[i]), quantities.angle(prepared.joints[i]),
+        slopes.size() + i);
   }
   return group;
 }
@@ -265,9 +266,12 @@ void prepareImage(const Measurements& measurements, const ImageObservation& pict
                   const std::vector<std::size_t>& unknowns, PreparedImage& prepared) {
   Numbers links{measurements.robot.links.size()};
   const std::vector<StateDerivative>& slopes = prepared.slopes.entries();
-  prepared.slopeValues = {1};
+  prepared.slopeValues.clear();
   for (const StateDerivative& slope : slopes) {
     prepared.slopeValues.push_back(slope.value);
+  }
+  for (const std::size_t joint : prepared.joints) {
+    prepared.slopeValues.push_back(measurements.robot.joints[joint].ratio);
   }
   const bool boardsMove = std::any_of(slopes.begin(), slopes.end(), [&](const StateDerivative& slope) {
     return measurements.quantities.boardOf(slope.quantity).has_value();

@@ -75,7 +75,7 @@ struct PreparedImage {
   std::vector<std::size_t> joints;      // joints between camera and boards with a deflection
   std::vector<std::size_t> deflections; // index of each one's deflection in the pose
   EffectJacobian slopes;
-  std::vector<double> slopeValues; // 1 (a joint by its deflection), then the slopes
+  std::vector<double> slopeValues; // the slopes, then each joint's by its deflection
   std::vector<Group> groups;
   Group floor;                           // affects the other sole, if the robot stands on both feet
   std::optional<ObservationChain> torso; // torso over the floor, if an IMU reading exists and its tilt is an unknown

@@ -324,10 +324,12 @@ void Residuals::predictImageState(const ImageObservation& picture, const Prepare
     work.slopes = work.varyingSlopes.data();
     work.drive(measurements_, model_, picture, unknowns);
     prepared.slopes.applyVarying(model_, picture, unknowns, work.driven, work.scratch, work.modelState,
-                                 work.varyingSlopes.data() + 1 + prepared.slopes.fixedCount());
+                                 work.varyingSlopes.data() + prepared.slopes.fixedCount());
   }
   for (std::size_t i = 0; i < prepared.joints.size(); ++i) {
-    work.modelState.angle(prepared.joints[i]) += deflections[eigenIndex(prepared.deflections[i])];
+    const std::size_t joint = prepared.joints[i];
+    work.modelState.angle(joint) +=
+        measurements_.robot.joints[joint].ratio * deflections[eigenIndex(prepared.deflections[i])];
   }
 }
 

@@ -482,8 +482,8 @@ void ThesisExperiment::look(const ImageObservation& all, const Eigen::VectorXd& 
   }
   for (std::size_t term = joints().size(); term < model_.terms().size(); ++term) { // mounts and places
     const Term& other = model_.terms()[term];
-    for (const std::size_t place : placesOn(other, everything_, all)) {
-      other.effect.correct(real, all.instant, place, other.values(truth));
+    for (const CorrectedPlace& place : placesOn(other, everything_, all)) {
+      place.correct(real, other.effect, all.instant, other.values(truth));
     }
   }
   forwardKinematics(robot, real, all.observations.front().view.links(), torsoFromLink);

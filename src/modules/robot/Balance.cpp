@@ -91,7 +91,7 @@ std::optional<double> balancedFraction(const Robot& robot, const ModelState& mod
   for (int draw = 0; draw < wanted.draws; ++draw) {
     std::generate(errors.begin(), errors.end(), [&] { return error(random); });
     for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
-      erroneous.angle(joint) = modelState.angle(joint) + errors[robot.joints[joint].motor];
+      erroneous.angle(joint) = modelState.angle(joint) + robot.joints[joint].ratio * errors[robot.joints[joint].motor];
     }
     fallen += isBalanced(robot, forwardKinematics(robot, erroneous), foot, {}) ? 0 : 1;
     if (fallen > mayFall) {

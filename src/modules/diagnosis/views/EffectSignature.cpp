@@ -128,8 +128,8 @@ std::vector<EffectSignature> computeSignatures(const FittedModel& fitted, const 
     for (std::size_t i = 0; i < candidates.size(); ++i) {
       const Term& term = candidateTests.candidates()[candidates[i]];
       ModelState flawed = plain;
-      for (std::size_t at : placesOn(term, fitted.measurements, picture)) {
-        term.effect.correct(flawed, instant, at, {result[i].size.data(), term.effect.unknowns.size()});
+      for (const CorrectedPlace& place : placesOn(term, fitted.measurements, picture)) {
+        place.correct(flawed, term.effect, instant, {result[i].size.data(), term.effect.unknowns.size()});
       }
       const ModelState followed = predictState(fitted.measurements, fitted.model, picture, refitted[i]);
       if (auto seen = computeShifts(index, joinCorners(predictBoards(fitted.measurements, picture, flawed)), shown,
