@@ -289,10 +289,11 @@ void prepareImage(const Measurements& measurements, const ImageObservation& pict
             : prepared.groups.emplace_back(groupOf(view, measurements.quantities, unknowns, prepared));
     group.observations.push_back(i);
   }
-  if (picture.otherSole) {
-    links.add(picture.otherSole->links());
-    prepared.floor = groupOf(*picture.otherSole, measurements.quantities, unknowns, prepared);
-    prepared.floor.extras.clear();
+  prepared.floors.clear();
+  for (const ObservationChain& sole : picture.otherSoles) {
+    links.add(sole.links());
+    prepared.floors.push_back(groupOf(sole, measurements.quantities, unknowns, prepared));
+    prepared.floors.back().extras.clear();
   }
   if (prepared.torso) {
     links.add(prepared.torso->links());

@@ -77,7 +77,7 @@ struct PreparedImage {
   EffectJacobian slopes;
   std::vector<double> slopeValues; // the slopes, then each joint's by its deflection
   std::vector<Group> groups;
-  Group floor;                           // affects the other sole, if the robot stands on both feet
+  std::vector<Group> floors;             // affects each of the picture's other soles
   std::optional<ObservationChain> torso; // torso over the floor, if an IMU reading exists and its tilt is an unknown
   Group imu;                             // affects the torso and the IMU
   std::vector<Group> witnesses;          // affects each of the picture's witnesses

@@ -84,11 +84,10 @@ struct Residuals::Workspace {
   const double* slopes = nullptr; // slope values of the picture
 };
 
-/// Floor contact: height and tilt of the other sole over the floor are zero with sigmas `FloorContact`. In units of
+/// Floor contact: height and tilt of another sole over the floor are zero with sigmas `FloorContact`. In units of
 /// pixels, like all sums.
-void Residuals::addFloorContact(const ImageObservation& picture, const PreparedImage& prepared, Workspace& work,
+void Residuals::addFloorContact(const ObservationChain& sole, const PreparedImage::Group& group, Workspace& work,
                                 PosePart& part) const {
-  const ObservationChain& sole = *picture.otherSole;
   const CameraFrames attitude = sole.pathFrames(measurements_.robot, work.modelState, work.torsoFromLink);
   const Eigen::Vector3d normal = attitude.opticalFromWorld.rotation.col(2);
   const Eigen::Vector3d scale =
@@ -96,10 +95,10 @@ void Residuals::addFloorContact(const ImageObservation& picture, const PreparedI
   const Eigen::Matrix<double, 3, 6> byMotion = noise_.pixel * floorContactJacobian(normal);
   const Eigen::Vector3d residual =
       scale.cwiseProduct(Eigen::Vector3d{-normal.dot(attitude.opticalFromWorld.translation), normal.x(), normal.y()});
-  work.motion.resize(6, eigenIndex(prepared.floor.quantities.size()));
-  sole.fillMotionColumns(measurements_.robot, attitude, work.modelState, work.torsoFromLink, prepared.floor.quantities,
-                         {}, work.motion);
-  work.add(byMotion.transpose() * byMotion, byMotion.transpose() * residual, work.motion, prepared.floor);
+  work.motion.resize(6, eigenIndex(group.quantities.size()));
+  sole.fillMotionColumns(measurements_.robot, attitude, work.modelState, work.torsoFromLink, group.quantities, {},
+                         work.motion);
+  work.add(byMotion.transpose() * byMotion, byMotion.transpose() * residual, work.motion, group);
   work.cost += residual.squaredNorm() / (noise_.pixel * noise_.pixel);
   part.squares += residual.squaredNorm();
   part.numbers += 3;
@@ -337,8 +336,8 @@ void Residuals::predictImageState(const ImageObservation& picture, const Prepare
 bool Residuals::addPicture(const ImageObservation& picture, const PreparedImage& prepared, Workspace& work,
                            PosePart& part) const {
   forwardKinematics(measurements_.robot, work.modelState, prepared.links, work.torsoFromLink);
-  if (picture.otherSole) {
-    addFloorContact(picture, prepared, work, part);
+  for (std::size_t i = 0; i < picture.otherSoles.size(); ++i) {
+    addFloorContact(picture.otherSoles[i], prepared.floors[i], work, part);
   }
   if (prepared.torso) {
     addImuReading(picture, prepared, work, part);

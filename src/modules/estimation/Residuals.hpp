@@ -104,7 +104,7 @@ private:
                          const Eigen::VectorXd& unknowns, const Eigen::VectorXd& deflections, Workspace& work) const;
   bool addPicture(const ImageObservation& picture, const PreparedImage& prepared, Workspace& work,
                   PosePart& part) const;
-  void addFloorContact(const ImageObservation& picture, const PreparedImage& prepared, Workspace& work,
+  void addFloorContact(const ObservationChain& sole, const PreparedImage::Group& group, Workspace& work,
                        PosePart& part) const;
   void addWitness(const WitnessObservation& observation, const PreparedImage::Group& group, Workspace& work,
                   PosePart& part) const;

@@ -25,7 +25,7 @@ Captures readCaptures(const std::vector<std::filesystem::path>& folders, const s
     captures.sources.add(folder);
     sets.push_back(std::move(read.set));
   }
-  const Robot robot = loadRobot(sets.front(), configuration);
+  const Robot robot = loadRobot(sets, configuration);
   captures.measurements = buildMeasurements(std::move(sets), robot, options.samePlace);
   return captures;
 }

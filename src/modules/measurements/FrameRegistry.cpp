@@ -38,15 +38,20 @@ template <typename Entry> bool hasName(const std::vector<Entry>& entries, const 
   return std::any_of(entries.begin(), entries.end(), [&](const Entry& entry) { return entry.name == name; });
 }
 
+/// The soles' links of a stance with `supportLinks`.
+std::vector<std::size_t> soleLinks(const CaptureSet& set, const Stance& stance, const Robot& robot) {
+  std::vector<std::size_t> result;
+  for (const std::string& link : stance.supportLinks) {
+    const Sole* const sole = robot.findSole(link);
+    result.push_back(sole ? sole->link
+                          : requireLinkOf(set, fmt::format("stances[{}].supportLinks", stance.id), link, robot));
+  }
+  return result;
+}
+
 std::optional<std::size_t> supportLink(const CaptureSet& set, const Stance& stance, const Robot& robot) {
   if (isBaseStanding(set, stance)) {
     return robot.base;
-  }
-  if (!stance.supportLinks.empty()) {
-    const Sole* const sole = robot.findSole(stance.supportLinks.front());
-    return sole ? sole->link
-                : requireLinkOf(set, fmt::format("stances[{}].supportLinks", stance.id), stance.supportLinks.front(),
-                                robot);
   }
   if (stance.supportFoot == SupportFoot::none) {
     return std::nullopt; // a hanging robot gives no information about the floor
@@ -103,10 +108,13 @@ void FrameRegistry::addStances(const CaptureSet& set, const Robot& robot) {
     const bool isBase = isBaseStanding(set, stance);
     const bool isWorld = isBase && std::none_of(standings_.begin(), standings_.end(),
                                                 [](const StanceInstance& other) { return !other.isFlat; });
-    const auto support = supportLink(set, stance, robot);
+    std::vector<std::size_t> soles = soleLinks(set, stance, robot);
+    const auto support = soles.empty() ? supportLink(set, stance, robot) : soles.front();
+    soles.erase(soles.begin(), soles.begin() + (soles.empty() ? 0 : 1));
     standings_.push_back({.name = name,
                           .supportFoot = stance.supportFoot,
                           .supportLink = support,
+                          .furtherSoles = std::move(soles),
                           .isFlat = !isBase,
                           .unknown = !stance.placement && support && !isWorld,
                           .placement = stance.placement.value_or(Placement{})});

@@ -182,8 +182,8 @@ std::vector<std::size_t> observedJoints(const Robot& robot, const ImageObservati
       add(*witness.view);
     }
   }
-  if (picture.otherSole) {
-    add(*picture.otherSole);
+  for (const ObservationChain& sole : picture.otherSoles) {
+    add(sole);
   }
   std::vector<std::size_t> joints;
   for (std::size_t joint = 0; joint < between.size(); ++joint) {

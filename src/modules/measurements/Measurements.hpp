@@ -39,6 +39,7 @@ struct StanceInstance {
   std::string name; // "0", or "<set>/0"
   SupportFoot supportFoot = SupportFoot::none;
   std::optional<std::size_t> supportLink; // link that stands in the world: a sole, or the base; absent: it hangs
+  std::vector<std::size_t> furtherSoles;  // of a robot with a URDF: other links that rest on the floor, too
   bool isFlat = true;                     // the support rests on the floor; else it stands anyhow (6-D)
   bool unknown = false;
   Placement placement; // as surveyed, otherwise zero
@@ -54,8 +55,8 @@ struct ImageObservation {
   ModelState nominal;                 // nominal geometry, the file's lens, measured angles, known or guessed placements
   std::vector<BoardObservation> observations;
   std::vector<WitnessObservation> witnesses; // measurements other than corners
-  std::optional<ObservationChain>
-      otherSole; // both feet on the floor, once per pose: chain from the right sole to the left sole's floor
+  std::vector<ObservationChain> otherSoles;  // on the floor, too, once per pose: chains to the floor of the sole that
+                                             // stands in the world; on a NAO's both feet, from right to left
 
   bool measuresNothing() const { return observations.empty() && witnesses.empty(); }
 };

@@ -200,12 +200,18 @@ void countRepeats(const std::vector<Rest>& rests, const PoseGroup& pose, std::ve
   }
 }
 
-/// With both feet on the floor, adds the contact of the right sole; one measurement per pose.
-void addFloorContact(const Measurements& measurements, ImageObservation& picture) {
+/// With several feet on the floor, adds the contacts of all but the first; one measurement per pose and foot.
+void addFloorContacts(const Measurements& measurements, ImageObservation& picture) {
   const Robot& robot = measurements.robot;
+  const auto add = [&](std::size_t sole, std::size_t first) {
+    picture.otherSoles.push_back(ObservationChain::betweenLinks(robot, measurements.quantities, sole, first));
+  };
   if (picture.instant.supportFoot == SupportFoot::both) {
-    picture.otherSole = ObservationChain::betweenLinks(robot, measurements.quantities, robot.findSole("right")->link,
-                                                       robot.findSole("left")->link);
+    add(robot.findSole("right")->link, robot.findSole("left")->link);
+  }
+  const StanceInstance& stance = measurements.stances[picture.stance];
+  for (const std::size_t sole : stance.furtherSoles) {
+    add(sole, *stance.supportLink);
   }
 }
 
@@ -267,7 +273,7 @@ void groupByPose(Measurements& measurements) {
   for (std::size_t pose = 0; pose < rests.size(); ++pose) {
     const std::vector<EncoderSample>& readings = measurements.poses[pose].readings;
     measurements.hasRepeats |= readings.size() > 1;
-    addFloorContact(measurements, measurements.pictures[readings.front().pictures.front()]);
+    addFloorContacts(measurements, measurements.pictures[readings.front().pictures.front()]);
     countRepeats(rests[pose], measurements.poses[pose], measurements.pictures);
   }
   measurements.joints = observedMotors(measurements);

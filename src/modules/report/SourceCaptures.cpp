@@ -192,7 +192,7 @@ std::optional<DrawingErrors> SourceCaptures::drawingErrors() const {
     return std::nullopt;
   }
   try {
-    const Comparison comparison = compare(StoredResult{}, sets, loadRobot(sets.front()), false);
+    const Comparison comparison = compare(StoredResult{}, sets, loadRobot(sets), false);
     return DrawingErrors{comparison.nominal.rmsPx, comparison.nominalReadings};
   } catch (const InputError&) { // no drawing of this robot, or corners behind a camera
     return std::nullopt;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <span>
 
 namespace naocal {
 
@@ -58,18 +59,18 @@ void addSole(const CaptureSet& set, const std::string& place, const std::string&
   robot.links.push_back(std::move(sole));
 }
 
-Robot loadUrdfOf(const CaptureSet& set) {
+std::filesystem::path findUrdf(const CaptureSet& set) {
   const auto file = fileInside(set.folder, set.urdf);
   if (!file) {
     throw InputError{fmt::format("{}: robot.urdf: expected a file within the set's folder, found a path out of it; "
                                  "copy the URDF into the set",
                                  (set.folder / set.urdf).string())};
   }
-  Robot robot = loadUrdf(*file);
-  if (!set.base.empty()) {
-    robot.base = requireLink(robot, set, "robot.base", set.base);
-  }
-  requireJoints(robot, set, set.urdf);
+  return *file;
+}
+
+/// Adds the soles and cameras of a set.
+void addMounts(const CaptureSet& set, Robot& robot) {
   for (const Stance& stance : set.stances) {
     for (const std::string& link : stance.supportLinks) {
       addSole(set, fmt::format("stances[{}].supportLinks", stance.id), link, robot);
@@ -79,7 +80,45 @@ Robot loadUrdfOf(const CaptureSet& set) {
     addSole(set, "soles", link, robot);
   }
   for (const auto& [name, mounting] : set.mountings) {
-    robot.cameras.push_back(mountOf(robot, set, name, mounting));
+    if (!robot.cameraIndex(name)) {
+      robot.cameras.push_back(mountOf(robot, set, name, mounting));
+    }
+  }
+}
+
+void refuseOtherUrdf(const CaptureSet& set, const CaptureSet& first) {
+  if (set.urdf.empty() != first.urdf.empty() || set.base != first.base ||
+      readFile(findUrdf(set)) != readFile(findUrdf(first))) {
+    throw InputError{fmt::format("{}: robot: expected the URDF and the base of {}, found others; sets given together "
+                                 "must be of one robot",
+                                 set.name, first.name)};
+  }
+}
+
+void refuseOtherMounts(const CaptureSet& set, const CaptureSet& first) {
+  for (const auto& [name, mounting] : set.mountings) {
+    const auto other = first.mountings.find(name);
+    if (other != first.mountings.end() && mounting.link != "world" &&
+        (mounting.link != other->second.link || mounting.placement.value_or(Placement{}).numbers() !=
+                                                    other->second.placement.value_or(Placement{}).numbers())) {
+      throw InputError{fmt::format("{}: cameras.{}: expected the link and the placement that {} gives, found others; "
+                                   "sets given together must be of one robot",
+                                   set.name, name, first.name)};
+    }
+  }
+}
+
+Robot loadUrdfOf(std::span<const CaptureSet> sets) {
+  const CaptureSet& first = sets.front();
+  Robot robot = loadUrdf(findUrdf(first));
+  if (!first.base.empty()) {
+    robot.base = requireLink(robot, first, "robot.base", first.base);
+  }
+  for (const CaptureSet& set : sets) {
+    refuseOtherUrdf(set, first);
+    refuseOtherMounts(set, first);
+    requireJoints(robot, set, set.urdf);
+    addMounts(set, robot);
   }
   return robot;
 }
@@ -87,8 +126,13 @@ Robot loadUrdfOf(const CaptureSet& set) {
 } // namespace
 
 Robot loadRobot(const CaptureSet& set, const std::filesystem::path& configuration) {
+  return loadRobot(std::span{&set, 1}, configuration);
+}
+
+Robot loadRobot(std::span<const CaptureSet> sets, const std::filesystem::path& configuration) {
+  const CaptureSet& set = sets.front();
   if (!set.urdf.empty()) {
-    return loadUrdfOf(set);
+    return loadUrdfOf(sets);
   }
   Robot robot = loadRobot(configuration, set.model);
   if (!set.model.starts_with('V')) { // a NAO's names are checked with the file; its hands move no link

@@ -4,6 +4,7 @@
 #include "robot/Robot.hpp"
 
 #include <filesystem>
+#include <span>
 
 namespace naocal {
 
@@ -11,5 +12,11 @@ namespace naocal {
 ///
 /// Throws InputError for a description that cannot be read, and for links, joints and cameras of the set that it lacks.
 Robot loadRobot(const CaptureSet& set, const std::filesystem::path& configuration = configurationDirectory());
+
+/// The robot of sets that are used together, with the cameras and soles of all.
+///
+/// Throws InputError in these cases and for sets with other URDFs or bases. Other models are `buildMeasurements`'.
+Robot loadRobot(std::span<const CaptureSet> sets,
+                const std::filesystem::path& configuration = configurationDirectory());
 
 } // namespace naocal

@@ -1,5 +1,6 @@
 #include "scenes/ScenePoses.hpp"
 
+#include "io/InputError.hpp"
 #include "math/LinearAlgebra.hpp"
 #include "math/Polygon.hpp"
 #include "robot/Gravity.hpp"
@@ -7,6 +8,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <numbers>
 
 namespace naocal {
@@ -22,6 +24,12 @@ constexpr double soleRadius = 0.02; // of a sole without an outline [m]
 
 const Sole* standingSole(const Robot& robot, const RobotScene& scene) {
   const Stance& stance = scene.set.stances.front();
+  if (stance.supportLinks.size() > 1) {
+    throw InputError{
+        fmt::format("supportLinks: expected one link, found {}: poses on several feet are neither drawn nor "
+                    "proposed",
+                    stance.supportLinks.size())};
+  }
   if (!stance.supportLinks.empty()) {
     return robot.findSole(stance.supportLinks.front());
   }

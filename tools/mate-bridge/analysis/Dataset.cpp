@@ -217,7 +217,7 @@ Dataset openDataset(const std::vector<std::string>& paths, const std::vector<std
   if (opened.sets.empty()) {
     throw InputError{"expected a folder with captures.json, a result or a diagnosis; found none"};
   }
-  opened.robot = loadRobot(opened.sets.front());
+  opened.robot = loadRobot(opened.sets);
   return opened;
 }
 

@@ -61,7 +61,7 @@ LoadedSets loadSets(const std::vector<std::string>& folders, bool skipBad) {
     printText(stderr, "{} captures: this takes minutes and much memory; a few hundred are enough for a calibration\n",
               captures);
   }
-  given.robot = loadRobot(given.sets.front());
+  given.robot = loadRobot(given.sets);
   return given;
 }
 

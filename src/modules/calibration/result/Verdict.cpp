@@ -176,13 +176,15 @@ void checkOffsets(const Measurements& measurements, const Model& model, const He
   }
 }
 
-/// Warns of offsets that other terms imitate. The result stays usable: they are held at zero.
+/// Warns of offsets that other terms imitate. The result stays usable: beside placements, which nothing holds, they
+/// stay at zero; with other effects, as large as is plausible of each, they share what the captures tell.
 void warnOfHeldOffsets(const Model& model, const HeldOffsets& held, CalibrationResult& result) {
   for (const Term& term : model.terms()) {
     if (const auto found = held.find(term.first); found != held.end()) {
       warn(About::offset,
-           fmt::format("{} cannot be told from {} and is held at zero (±{})", describeUnknown(term, 0),
-                       describeImitator(*found->second), formatSigma(term, result.estimates[term.first].sigma)),
+           fmt::format("{} cannot be told from {}{} (±{})", describeUnknown(term, 0), describeImitator(*found->second),
+                       found->second->isPlacement ? " and is held at zero" : "; only what both do together is known",
+                       formatSigma(term, result.estimates[term.first].sigma)),
            result);
     }
   }
