@@ -1,5 +1,6 @@
 #include "estimation/Residuals.hpp"
 
+#include "estimation/MinimizedGradient.hpp"
 #include "estimation/ModelBuilder.hpp"
 #include "simulation/HandMadePoses.hpp"
 
@@ -98,21 +99,7 @@ TEST_CASE("the cost follows the unknowns alone, also where corners lose their we
   const Noise noise{0.3, 6e-4, 9e-4};
   const Residuals residuals{problem.measurements, problem.model, noise, Loss{3}};
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(problem.model.sigmas().size());
-  const auto costAt = [&](const Eigen::VectorXd& unknowns, Eigen::VectorXd& gradient) {
-    Residuals::State state = residuals.startState(unknowns);
-    Residuals::Linear linear;
-    REQUIRE(residuals.linearize(state, linear));
-    gradient = linear.gradient;
-    return linear.cost;
-  };
-  Eigen::VectorXd gradient, other;
-  costAt(zero, gradient);
-  const Eigen::VectorXd sigmas = problem.model.sigmas(), scaled = gradient.cwiseProduct(sigmas);
-  for (Eigen::Index k = 0; k < zero.size(); ++k) {
-    CAPTURE(k);
-    const Eigen::VectorXd step = 1e-3 * sigmas[k] * Eigen::VectorXd::Unit(zero.size(), k);
-    CHECK((costAt(step, other) - costAt(-step, other)) / 2e-3 == Approx(scaled[k]).margin(0.01 * scaled.norm()));
-  }
+  checkMinimizedGradient(residuals, zero, problem.model.sigmas(), 0.01);
 }
 
 TEST_CASE("a deflection root squares to encoder, pose and stance noise") {

@@ -1,3 +1,4 @@
+#include "estimation/MinimizedGradient.hpp"
 #include "estimation/ModelBuilder.hpp"
 #include "estimation/Residuals.hpp"
 #include "math/LevenbergMarquardt.hpp"
@@ -172,27 +173,6 @@ void checkGradient(const Measurements& measurements, const Model& model, const N
   }
 }
 
-/// The same with joint errors, which are minimised over.
-void checkGradientWithNoise(const Measurements& measurements, const Model& model, const Eigen::VectorXd& here) {
-  const Residuals residuals{measurements, model, {.encoder = 1e-4, .pose = 1e-3}};
-  const auto costAt = [&](const Eigen::VectorXd& unknowns, Eigen::VectorXd& gradient) {
-    Residuals::State state = residuals.startState(unknowns);
-    Residuals::Linear linear;
-    REQUIRE(residuals.linearize(state, linear));
-    gradient = linear.gradient;
-    return linear.cost;
-  };
-  Eigen::VectorXd gradient, other;
-  costAt(here, gradient);
-  const Eigen::VectorXd sigmas = model.sigmas().cwiseMin(0.02), scaled = gradient.cwiseProduct(sigmas);
-  for (Eigen::Index k = 0; k < here.size(); ++k) {
-    INFO(model.names()[static_cast<std::size_t>(k)]);
-    const Eigen::VectorXd step = 1e-3 * sigmas[k] * Eigen::VectorXd::Unit(here.size(), k);
-    CHECK((costAt(here + step, other) - costAt(here - step, other)) / 2e-3 ==
-          Approx(scaled[k]).margin(1e-3 * scaled.norm()));
-  }
-}
-
 } // namespace
 
 TEST_CASE("the cost of every kind of measurement changes with every unknown as its derivatives say") {
@@ -246,7 +226,8 @@ TEST_CASE("a motor's effects turn the joint that mimics it by its ratio") {
   checkGradient(arm.measurements, model, exactJoints, here);
 
   const Model plain = buildModel(arm.measurements);
-  checkGradientWithNoise(arm.measurements, plain, somewhere(arm.measurements, plain));
+  checkMinimizedGradient(Residuals{arm.measurements, plain, {.encoder = 1e-4, .pose = 1e-3}},
+                         somewhere(arm.measurements, plain), plain.sigmas().cwiseMin(0.02), 1e-3);
   const Residuals residuals{arm.measurements, plain, exactJoints};
   const auto found = levenbergMarquardt(residuals, residuals.startState(startOf(arm.measurements, plain)));
   REQUIRE(found);

@@ -38,25 +38,24 @@ template <typename Entry> bool hasName(const std::vector<Entry>& entries, const 
   return std::any_of(entries.begin(), entries.end(), [&](const Entry& entry) { return entry.name == name; });
 }
 
-/// The soles' links of a stance with `supportLinks`.
-std::vector<std::size_t> soleLinks(const CaptureSet& set, const Stance& stance, const Robot& robot) {
+/// Links that stand in the world in a stance: the base, or the soles on the floor, the one that counts as still first.
+std::vector<std::size_t> supportLinks(const CaptureSet& set, const Stance& stance, const Robot& robot) {
+  if (isBaseStanding(set, stance)) {
+    return {robot.base};
+  }
   std::vector<std::size_t> result;
   for (const std::string& link : stance.supportLinks) {
     const Sole* const sole = robot.findSole(link);
     result.push_back(sole ? sole->link
                           : requireLinkOf(set, fmt::format("stances[{}].supportLinks", stance.id), link, robot));
   }
-  return result;
-}
-
-std::optional<std::size_t> supportLink(const CaptureSet& set, const Stance& stance, const Robot& robot) {
-  if (isBaseStanding(set, stance)) {
-    return robot.base;
+  if (stance.supportFoot == SupportFoot::left || stance.supportFoot == SupportFoot::both) {
+    result.push_back(robot.findSole("left")->link);
   }
-  if (stance.supportFoot == SupportFoot::none) {
-    return std::nullopt; // a hanging robot gives no information about the floor
+  if (stance.supportFoot == SupportFoot::right || stance.supportFoot == SupportFoot::both) {
+    result.push_back(robot.findSole("right")->link);
   }
-  return robot.findSole(stance.supportFoot == SupportFoot::right ? "right" : "left")->link;
+  return result; // empty: a hanging robot gives no information about the floor
 }
 
 } // namespace
@@ -108,15 +107,13 @@ void FrameRegistry::addStances(const CaptureSet& set, const Robot& robot) {
     const bool isBase = isBaseStanding(set, stance);
     const bool isWorld = isBase && std::none_of(standings_.begin(), standings_.end(),
                                                 [](const StanceInstance& other) { return !other.isFlat; });
-    std::vector<std::size_t> soles = soleLinks(set, stance, robot);
-    const auto support = soles.empty() ? supportLink(set, stance, robot) : soles.front();
-    soles.erase(soles.begin(), soles.begin() + (soles.empty() ? 0 : 1));
+    const std::vector<std::size_t> support = supportLinks(set, stance, robot);
     standings_.push_back({.name = name,
                           .supportFoot = stance.supportFoot,
-                          .supportLink = support,
-                          .furtherSoles = std::move(soles),
+                          .supportLink = support.empty() ? std::nullopt : std::optional{support.front()},
+                          .furtherSoles = {support.begin() + (support.empty() ? 0 : 1), support.end()},
                           .isFlat = !isBase,
-                          .unknown = !stance.placement && support && !isWorld,
+                          .unknown = !stance.placement && !support.empty() && !isWorld,
                           .placement = stance.placement.value_or(Placement{})});
   }
 }

@@ -39,7 +39,7 @@ struct StanceInstance {
   std::string name; // "0", or "<set>/0"
   SupportFoot supportFoot = SupportFoot::none;
   std::optional<std::size_t> supportLink; // link that stands in the world: a sole, or the base; absent: it hangs
-  std::vector<std::size_t> furtherSoles;  // of a robot with a URDF: other links that rest on the floor, too
+  std::vector<std::size_t> furtherSoles;  // other soles that rest on the floor, too
   bool isFlat = true;                     // the support rests on the floor; else it stands anyhow (6-D)
   bool unknown = false;
   Placement placement; // as surveyed, otherwise zero

@@ -202,16 +202,10 @@ void countRepeats(const std::vector<Rest>& rests, const PoseGroup& pose, std::ve
 
 /// With several feet on the floor, adds the contacts of all but the first; one measurement per pose and foot.
 void addFloorContacts(const Measurements& measurements, ImageObservation& picture) {
-  const Robot& robot = measurements.robot;
-  const auto add = [&](std::size_t sole, std::size_t first) {
-    picture.otherSoles.push_back(ObservationChain::betweenLinks(robot, measurements.quantities, sole, first));
-  };
-  if (picture.instant.supportFoot == SupportFoot::both) {
-    add(robot.findSole("right")->link, robot.findSole("left")->link);
-  }
   const StanceInstance& stance = measurements.stances[picture.stance];
   for (const std::size_t sole : stance.furtherSoles) {
-    add(sole, *stance.supportLink);
+    picture.otherSoles.push_back(
+        ObservationChain::betweenLinks(measurements.robot, measurements.quantities, sole, *stance.supportLink));
   }
 }
 

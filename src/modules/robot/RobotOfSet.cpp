@@ -86,9 +86,9 @@ void addMounts(const CaptureSet& set, Robot& robot) {
   }
 }
 
-void refuseOtherUrdf(const CaptureSet& set, const CaptureSet& first) {
-  if (set.urdf.empty() != first.urdf.empty() || set.base != first.base ||
-      readFile(findUrdf(set)) != readFile(findUrdf(first))) {
+/// `urdf`: the text of the first set's.
+void refuseOtherUrdf(const CaptureSet& set, const CaptureSet& first, const std::string& urdf) {
+  if (set.urdf.empty() || set.base != first.base || readUrdf(findUrdf(set)) != urdf) {
     throw InputError{fmt::format("{}: robot: expected the URDF and the base of {}, found others; sets given together "
                                  "must be of one robot",
                                  set.name, first.name)};
@@ -110,13 +110,17 @@ void refuseOtherMounts(const CaptureSet& set, const CaptureSet& first) {
 
 Robot loadUrdfOf(std::span<const CaptureSet> sets) {
   const CaptureSet& first = sets.front();
-  Robot robot = loadUrdf(findUrdf(first));
+  const std::filesystem::path file = findUrdf(first);
+  const std::string urdf = readUrdf(file);
+  Robot robot = parseUrdf(urdf, file.string());
   if (!first.base.empty()) {
     robot.base = requireLink(robot, first, "robot.base", first.base);
   }
-  for (const CaptureSet& set : sets) {
-    refuseOtherUrdf(set, first);
+  for (const CaptureSet& set : sets.subspan(1)) {
+    refuseOtherUrdf(set, first, urdf);
     refuseOtherMounts(set, first);
+  }
+  for (const CaptureSet& set : sets) {
     requireJoints(robot, set, set.urdf);
     addMounts(set, robot);
   }

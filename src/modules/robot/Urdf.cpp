@@ -160,7 +160,11 @@ private:
 } // namespace
 
 Robot loadUrdf(const std::filesystem::path& file) {
-  return parseUrdf(readFile(file, largestUrdf), file.string());
+  return parseUrdf(readUrdf(file), file.string());
+}
+
+std::string readUrdf(const std::filesystem::path& file) {
+  return readFile(file, largestUrdf);
 }
 
 Robot parseUrdf(const std::string& text, const std::string& name) {

@@ -17,6 +17,9 @@ namespace naocal {
 /// joints.
 Robot loadUrdf(const std::filesystem::path& file);
 
+/// The text of a URDF. Throws InputError for a file that cannot be read or is larger than any URDF.
+std::string readUrdf(const std::filesystem::path& file);
+
 /// `name`: the file's, for error messages.
 Robot parseUrdf(const std::string& text, const std::string& name);
 

@@ -75,8 +75,8 @@ public:
     int marker = pattern.firstMarkerId;
     for (int row = 0; row < squaresY_; ++row) {
       for (int column = 0; column < squaresX_; ++column) {
-        white_.push_back(((row + column) % 2 != 0) != firstIsWhite);
-        addSquare(white_.back() ? markerCells(pattern.dictionary, marker++) : Eigen::MatrixXi{});
+        const bool isWhite = ((row + column) % 2 != 0) != firstIsWhite;
+        addSquare(isWhite ? markerCells(pattern.dictionary, marker++) : Eigen::MatrixXi{});
       }
     }
   }
@@ -93,9 +93,6 @@ public:
     const int squareX = std::min(int(column), squaresX_ - 1), squareY = std::min(int(row), squaresY_ - 1);
     const auto square = std::size_t(squareY * squaresX_ + squareX);
     const std::size_t first = strips * strips + square * parts_ * parts_;
-    if (!white_[square]) {
-      return first;
-    }
     return merged_[first + part(column - float(squareX)) + parts_ * part(row - float(squareY))];
   }
 
@@ -156,7 +153,6 @@ private:
   float gap_;                       // between a square's edge and its marker, in units of the square
   float modulesPerSquare_ = 0;      // including the black border
   std::size_t parts_ = 0;           // along a square's side
-  std::vector<bool> white_;         // by square
   std::vector<std::size_t> merged_; // by cell: the first cell of its rectangle
 };
 
