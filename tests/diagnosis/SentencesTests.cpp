@@ -103,6 +103,10 @@ void addDiagnosisVerdicts(Sentences& all) {
   add("", adequate);
   adequate.alarm = 0.005;
   add(", rare", adequate);
+  adequate.ranking = {found(elasticity(), "LKneePitch", {radians(0.02)}, {radians(0.003)})};
+  adequate.ranking[0].state = CandidateState::trivial;
+  adequate.ranking[0].evidence.movedPx = 0.043;
+  add(", a small effect beyond chance", adequate);
 
   Diagnosis missing = softKnee();
   add("", missing);

@@ -98,8 +98,8 @@ bool mayBeMirrored(const CandidateTests& candidateTests, std::size_t motor) {
 
 std::vector<DataAnomaly> findAnomalies(const FittedModel& fitted, const CandidateTests& candidateTests) {
   const auto mirrored = [&](std::size_t motor) { return mayBeMirrored(candidateTests, motor); };
-  GrossMisfit misfit = GrossMisfit::assess(fitted.fit, fitted.model);
-  if (misfit.rmsPx > threshold::grossPx) {
+  GrossMisfit misfit = GrossMisfit::assess(fitted.measurements, fitted.fit, fitted.model);
+  if (misfit.isGross()) {
     misfit.explainedPx = rmsBesideLikeliest(candidateTests, fitted.measurements, fitted.model);
   }
   if (const auto setUp = findSetupError(fitted.measurements, misfit, mirrored)) {

@@ -54,6 +54,24 @@ std::string formatHardlyLikely(const Diagnosis& diagnosis) {
       percent(diagnosis.alarm), first.term.label(), formatSizes(first));
 }
 
+/// Sentence for a model that fits. An effect beyond chance that hardly changes the predictions is told with its size,
+/// since the alarm's small probability alone would contradict the verdict.
+std::string formatAdequate(const Diagnosis& diagnosis) {
+  const ErrorUnit& unit = diagnosis.unit;
+  const std::string fits = fmt::format(
+      "The model explains these captures: the error is {:.2f} {unit}, the noise floor {:.2f} {unit}.",
+      unit.perPx * diagnosis.rmsPx, unit.perPx * diagnosis.lackOfFit.noiseFloorPx, fmt::arg("unit", unit.name));
+  if (diagnosis.alarm > threshold::alarm || diagnosis.ranking.empty() ||
+      diagnosis.ranking.front().state != CandidateState::trivial) {
+    return fmt::format("{} Pure noise produces a best candidate this strong in {} of cases.", fits,
+                       percent(diagnosis.alarm));
+  }
+  const CandidateFinding& first = diagnosis.ranking.front();
+  return fmt::format("{} {} is hardly chance ({}), but it changes the predictions by only {:.2g} {}: too little to "
+                     "matter.",
+                     fits, first.term.label(), formatSizes(first), unit.perPx * first.evidence.movedPx, unit.name);
+}
+
 /// Place and amplitude: "LKneePitch", "±0.30°".
 std::pair<std::string, std::string> formatPlaceAndAmplitude(const DriverCurve& curve) {
   if (curve.unit == "m") {
@@ -204,11 +222,7 @@ std::string summarize(const Diagnosis& diagnosis) {
         "Undecided: the model does not fit (p = {:.1g}), but no single cause stands out. Take more poses.",
         diagnosis.lackOfFit.pValue);
   case Verdict::adequate:
-    return fmt::format(
-        "The model explains these captures: the error is {:.2f} {unit}, the noise floor {:.2f} {unit}. Pure noise "
-        "produces a best candidate this strong in {} of cases.",
-        diagnosis.unit.perPx * diagnosis.rmsPx, diagnosis.unit.perPx * diagnosis.lackOfFit.noiseFloorPx,
-        percent(diagnosis.alarm), fmt::arg("unit", diagnosis.unit.name));
+    return formatAdequate(diagnosis);
   }
   return {};
 }

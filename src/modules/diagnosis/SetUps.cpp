@@ -31,16 +31,45 @@ constexpr double some = 0.1;               // share of all corners; more than a 
 /// needs 5 to 20; one with a wrong correction wanders for hundreds.
 constexpr int mostIterations = 30;
 
-/// rms distance of corners after a search that starts with these sets [px]; absent if no fit is possible.
-std::optional<double> computeMisfit(std::vector<CaptureSet> sets, const Measurements& asTheyAre) {
+/// The offset furthest from zero.
+struct LargestOffset {
+  std::string joint;
+  double value = 0; // [rad]
+};
+LargestOffset findLargestOffset(const Model& model, const Eigen::VectorXd& unknowns) {
+  LargestOffset result;
+  for (const Term& term : model.terms()) {
+    const double value =
+        term.effect.name == effectName::jointOffset ? unknowns[static_cast<Eigen::Index>(term.first)] : 0;
+    if (std::abs(value) > std::abs(result.value)) {
+      result = {term.placeName, value};
+    }
+  }
+  return result;
+}
+
+/// What a search that starts with corrected sets leaves.
+struct Correction {
+  double rmsPx = 0;  // of corners, or of readings as far off
+  double offset = 0; // largest offset of a joint [rad]
+};
+
+/// Absent if no fit is possible. `readings`: noise levels of readings.
+std::optional<Correction> fitCorrected(std::vector<CaptureSet> sets, const Measurements& asTheyAre,
+                                       const std::vector<double>& readings) {
   try {
     const Measurements measurements = buildMeasurements(std::move(sets), asTheyAre.robot, asTheyAre.samePlace);
     const Model model = buildModel(measurements);
     CalibrationOptions options;
     options.maxIterations = mostIterations;
-    const Noise rigid{.encoder = 0}; // what joints scatter is nothing beside a set-up error, and takes most of the time
-    const double rmsPx = rmsAsReported(measurements, model, fitInitially(measurements, model, rigid, options));
-    return std::isfinite(rmsPx) ? std::optional{rmsPx} : std::nullopt;
+    // what joints scatter is nothing beside a set-up error, and takes most of the time
+    const Noise rigid{.encoder = 0, .readings = readings};
+    const Fit fit = fitInitially(measurements, model, rigid, options);
+    const double rmsPx = rmsAsReported(measurements, model, fit);
+    if (!std::isfinite(rmsPx)) {
+      return std::nullopt;
+    }
+    return Correction{rmsPx, std::abs(findLargestOffset(model, fit.minimum.state.unknowns).value)};
   } catch (const InputError&) {
     return std::nullopt;
   }
@@ -158,16 +187,18 @@ struct BestMoment {
   Moment moment;
   double left = std::numeric_limits<double>::infinity(); // rms distance of corners [px]
 };
-BestMoment findBestMoment(const MovedThing& thing, const Measurements& measurements) {
+BestMoment findBestMoment(const MovedThing& thing, const Measurements& measurements,
+                          const std::vector<double>& readings) {
   constexpr std::size_t coarse = 16;
   BestMoment best;
   const auto consider = [&](const std::vector<double>& moments) {
     for (const double time : moments) {
       std::vector<CaptureSet> corrected = *measurements.sets;
       thing.separate(corrected[thing.set], time);
-      if (const auto left = computeMisfit(std::move(corrected), measurements); left && *left < best.left) {
+      const auto left = fitCorrected(std::move(corrected), measurements, readings);
+      if (left && left->rmsPx < best.left) {
         const auto after = thing.times.upper_bound(time);
-        best = {{thing.set, time, *std::prev(after), *after}, *left};
+        best = {{thing.set, time, *std::prev(after), *after}, left->rmsPx};
       }
     }
   };
@@ -188,12 +219,13 @@ BestMoment findBestMoment(const MovedThing& thing, const Measurements& measureme
 }
 
 /// A move too large for the linearised events.
-std::optional<DataAnomaly> findMovedFar(const Measurements& measurements, double least) {
+std::optional<DataAnomaly> findMovedFar(const Measurements& measurements, double least,
+                                        const std::vector<double>& readings) {
   const std::vector<CaptureSet>& sets = *measurements.sets;
   constexpr double asGood = 1.05; // of the least misfit: the captures cannot tell which of them it was
   std::vector<std::pair<MovedThing, BestMoment>> mending;
   for (const MovedThing& thing : listMovedThings(sets)) {
-    const BestMoment best = findBestMoment(thing, measurements);
+    const BestMoment best = findBestMoment(thing, measurements, readings);
     if (best.left < least) {
       mending.emplace_back(thing, best);
     }
@@ -301,57 +333,102 @@ std::vector<DataAnomaly> findSlippedCounts(const FittedModel& fitted) {
   return result;
 }
 
-GrossMisfit GrossMisfit::assess(const CalibrationResult& fit, const Model& model) {
+GrossMisfit GrossMisfit::assess(const Measurements& measurements, const CalibrationResult& fit, const Model& model) {
   double all = 0, far = 0;
   for (const BoardResidual& observation : fit.withReportedAngles) {
     all += static_cast<double>(observation.residual.cols());
     far += static_cast<double>((observation.residual.colwise().norm().array() > threshold::impossiblePx).count());
   }
-  const bool absurd = std::any_of(model.terms().begin(), model.terms().end(), [&](const Term& term) {
-    return term.effect.name == effectName::jointOffset &&
-           std::abs(fit.unknowns[static_cast<Eigen::Index>(term.first)]) > mostOffset;
-  });
+  const auto isLoose = [&](std::size_t level) {
+    const ReadingLevel& known = measurements.levels[level];
+    const double most = known.unit == ReadingLevel::Unit::metres ? threshold::grossMetres : threshold::grossRadians;
+    return !known.isGiven && fit.noise.readings[level] > most;
+  };
+  bool loose = false;
+  for (std::size_t level = 0; level < fit.noise.readings.size(); ++level) {
+    loose |= isLoose(level);
+  }
+  const LargestOffset largest = findLargestOffset(model, fit.unknowns);
+  const bool isFar = std::abs(largest.value) > mostOffset;
   return {.rmsPx = fit.rmsPx,
           .farShare = far / std::max(1.0, all),
-          .absurd = absurd || fit.rmsPx > threshold::impossiblePx};
+          .farJoint = isFar ? largest.joint : "",
+          .farOffset = isFar ? largest.value : 0,
+          .isLoose = loose,
+          .readings = fit.noise.readings};
 }
+
+bool GrossMisfit::isGross() const {
+  return isLoose || rmsPx >= threshold::grossPx;
+}
+
+bool GrossMisfit::isAbsurd() const {
+  return !farJoint.empty() || isLoose || rmsPx > threshold::impossiblePx;
+}
+
+namespace {
+
+DataAnomaly reversed(const std::string& joint) {
+  return {.why = fmt::format("{}'s angles have the wrong sign", joint), .setUp = reversedJoint + joint};
+}
+
+/// The joint whose mirrored angles fit as well with the smallest offsets, none of them far.
+std::optional<DataAnomaly> findImitatedMirror(const Measurements& measurements, const GrossMisfit& misfit) {
+  constexpr double asGood = 1.1; // of the misfit: a coarse search ends a little above its minimum
+  std::optional<DataAnomaly> best;
+  double least = mostOffset;
+  for (const std::size_t joint : measurements.joints) {
+    const std::string& name = measurements.robot.joints[joint].name;
+    const auto left = fitCorrected(mirrorJoint(*measurements.sets, name), measurements, misfit.readings);
+    if (left && left->rmsPx < asGood * misfit.rmsPx && left->offset < least) {
+      least = left->offset;
+      best = reversed(name);
+      best->why += fmt::format(", or {}'s zero is off by {:.0f}°: these captures cannot tell", misfit.farJoint,
+                               degrees(misfit.farOffset));
+    }
+  }
+  return best;
+}
+
+} // namespace
 
 std::optional<DataAnomaly> findSetupError(const Measurements& measurements, const GrossMisfit& misfit,
                                           const std::function<bool(std::size_t)>& mayBeMirrored) {
-  if (misfit.rmsPx < threshold::grossPx) {
-    return std::nullopt;
+  if (!misfit.isGross()) {
+    return misfit.farJoint.empty() ? std::nullopt : findImitatedMirror(measurements, misfit);
   }
   const std::vector<CaptureSet>& sets = *measurements.sets;
   std::optional<DataAnomaly> best;
   double least = std::min({threshold::correctionShare * std::min(misfit.rmsPx, threshold::impossiblePx),
                            threshold::soundPx, misfit.explainedPx});
-  const auto consider = [&](std::vector<CaptureSet> corrected, const std::string& why, const std::string& setUp) {
-    if (const auto left = computeMisfit(std::move(corrected), measurements); left && *left < least) {
-      least = *left;
-      best = DataAnomaly{.why = measurements.cornerCount > 0
-                                    ? fmt::format("{} (so corrected the error is {:.1f} px)", why, *left)
-                                    : why,
-                         .setUp = setUp};
+  const auto consider = [&](std::vector<CaptureSet> corrected, DataAnomaly anomaly) {
+    const auto left = fitCorrected(std::move(corrected), measurements, misfit.readings);
+    if (left && left->rmsPx < least) {
+      least = left->rmsPx;
+      if (measurements.cornerCount > 0) {
+        anomaly.why += fmt::format(" (so corrected the error is {:.1f} px)", least);
+      }
+      best = std::move(anomaly);
     }
   };
   for (std::size_t joint : measurements.joints) {
     const std::string& name = measurements.robot.joints[joint].name;
-    if (misfit.absurd || mayBeMirrored(joint)) {
-      consider(mirrorJoint(sets, name), fmt::format("{}'s angles have the wrong sign", name), reversedJoint + name);
+    if (misfit.isAbsurd() || mayBeMirrored(joint)) {
+      consider(mirrorJoint(sets, name), reversed(name));
     }
   }
   for (std::size_t i = 0; i < measurements.joints.size() && !sets.front().urdf.empty(); ++i) {
     for (std::size_t j = i + 1; j < measurements.joints.size(); ++j) {
       const std::string &one = measurements.robot.joints[measurements.joints[i]].name,
                         &other = measurements.robot.joints[measurements.joints[j]].name;
-      consider(swapJoints(sets, one, other), fmt::format("the angles of {} and {} are swapped", one, other), {});
+      consider(swapJoints(sets, one, other), {.why = fmt::format("the angles of {} and {} are swapped", one, other)});
     }
   }
   if (sets.front().cameras.size() == 2 && sets.front().urdf.empty()) {
-    consider(swapCameras(sets), "the cameras' names are swapped", {});
+    consider(swapCameras(sets), {.why = "the cameras' names are swapped"});
   }
   if (!best && misfit.rmsPx > threshold::impossiblePx) {
-    best = findMovedFar(measurements, least);
+    best = findMovedFar(measurements, least, misfit.readings);
   }
   if (!best && misfit.rmsPx > threshold::absurdPx && misfit.farShare > some && std::isfinite(misfit.rmsPx)) {
     best = DataAnomaly{{},

@@ -23,18 +23,26 @@ std::vector<DataAnomaly> findSlippedCounts(const FittedModel& fitted);
 
 /// Size and character of a gross misfit.
 struct GrossMisfit {
-  double rmsPx = std::numeric_limits<double>::infinity();       // infinite if no fit was possible
-  double farShare = 1;                                          // share of corners beyond `threshold::impossiblePx`
-  bool absurd = true;                                           // offset above 15 degrees, or rms of no real robot
+  double rmsPx = std::numeric_limits<double>::infinity(); // infinite if no fit was possible
+  double farShare = 1;                                    // share of corners beyond `threshold::impossiblePx`
+  std::string farJoint = {};                              // joint with the largest offset above 15 degrees; empty: none
+  double farOffset = 0;                                   // its offset [rad]
+  bool isLoose = false; // an estimated noise level of readings is that of no instrument, so that `rmsPx` hides misfit
   double explainedPx = std::numeric_limits<double>::infinity(); // rms with the likeliest effect in the model [px]
+  std::vector<double> readings = {};                            // noise levels at which `rmsPx` counts readings
 
-  static GrossMisfit assess(const CalibrationResult& fit, const Model& model);
+  static GrossMisfit assess(const Measurements& measurements, const CalibrationResult& fit, const Model& model);
+
+  bool isGross() const;
+  /// An offset or an rms error of no real robot.
+  bool isAbsurd() const;
 };
 
-/// Explains a gross misfit by a set-up error: a joint with inverted sign, swapped camera names, or a robot or board
-/// moved far between two captures. Tests each by fitting the corrected sets. Absent if the misfit is small or no
-/// correction removes it. `misfit`: of the uncorrected sets. `mayBeMirrored`: motors to test, unless `misfit` is
-/// absurd.
+/// Explains a misfit by a set-up error: a joint with inverted sign, swapped camera names, or a robot or board moved far
+/// between two captures. Tests each by fitting the corrected sets. Absent if the misfit is not gross or no correction
+/// removes it. Without gross misfit but with a far offset, a joint with inverted sign that fits as well without such an
+/// offset: the zero of the joint before it, half a turn off, can be the same. `misfit`: of the uncorrected sets.
+/// `mayBeMirrored`: motors to test, unless `misfit` is absurd.
 std::optional<DataAnomaly> findSetupError(const Measurements& measurements, const GrossMisfit& misfit,
                                           const std::function<bool(std::size_t)>& mayBeMirrored);
 

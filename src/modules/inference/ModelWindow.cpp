@@ -78,6 +78,10 @@ public:
     return result;
   }
   double misfitOf(const WindowModel& model) const { return std::max(1.0, model.chi2 / model.freedom); }
+  /// The effects with nonzero sizes at the linearisation point.
+  const Members& fittedMembers() const { return fitted_; }
+  /// Increase of -2 ln likelihood of the model alone from the linearisation point to zero coefficients.
+  double fromFitToZero() const { return fromFitToZero_; }
 
 private:
   /// Posterior precision of the members' sizes, in units of what is plausible: information + 1 / width^2.
@@ -185,7 +189,6 @@ private:
   }
   /// Moves the linearisation to zero coefficients of all candidates.
   void moveToZero(const Eigen::VectorXd& sizes) {
-    chi2OfNone_ = misfit_.chi2;
     for (std::size_t group = 0; group < problem_.named; ++group) {
       const ColumnGroup& columns = problem_.groups[group];
       const Eigen::VectorXd own = sizes.segment(columns.first, columns.count);
@@ -194,11 +197,13 @@ private:
       }
       const Eigen::VectorXd scaled = own.cwiseQuotient(problem_.plausible.segment(columns.first, columns.count));
       const Eigen::VectorXd pull = informationWith({group, columns.count}) * scaled;
-      chi2OfNone_ += 2 * score_.segment(columns.first, columns.count).dot(scaled) +
-                     scaled.dot(pull.segment(columns.first, columns.count));
+      fromFitToZero_ += 2 * score_.segment(columns.first, columns.count).dot(scaled) +
+                        scaled.dot(pull.segment(columns.first, columns.count));
       score_ += pull;
       alone0_ += answers_.middleCols(columns.first, columns.count) * scaled;
+      fitted_.push_back({group, columns.count});
     }
+    chi2OfNone_ = misfit_.chi2 + fromFitToZero_;
   }
   void countGroups() {
     named_ = std::max<double>(1, static_cast<double>(problem_.named));
@@ -226,7 +231,8 @@ private:
   PoseMisfit misfit_;
   Eigen::VectorXd score_, alone0_, variances_;
   Eigen::MatrixXd answers_; // response of the own unknowns to a unit of each column, sign reversed
-  double chi2OfNone_ = 0, named_ = 1, curves_ = 1;
+  Members fitted_;
+  double fromFitToZero_ = 0, chi2OfNone_ = 0, named_ = 1, curves_ = 1;
   std::map<std::size_t, Eigen::MatrixXd> known_;
 };
 
@@ -313,9 +319,10 @@ std::vector<WindowModel> findNeighbours(Window& window, const WindowModel& best)
 
 } // namespace
 
-double findLeastCost(const WideModel& wide, const Noise& noise) {
+ExplanationCosts costExplanations(const WideModel& wide, const Noise& noise) {
   Window window{wide, noise, 0};
-  return findLikeliest(window).cost;
+  return {window.fromFitToZero() + window.model(window.fittedMembers()).cost,
+          window.fromFitToZero() + findLikeliest(window).cost};
 }
 
 ModelWindow searchModelWindow(const WideModel& wide, const Noise& noise, std::size_t expected) {
