@@ -152,6 +152,9 @@ void addDiagnosisVerdicts(Sentences& all) {
   scatter.verdict = Verdict::scatter;
   scatter.scatter = radians(0.12);
   add("", scatter);
+  scatter.alarm = adequate.alarm;
+  scatter.ranking = adequate.ranking;
+  add(", a small effect beyond chance", scatter);
 
   Diagnosis open = softKnee();
   open.verdict = Verdict::inconclusive;

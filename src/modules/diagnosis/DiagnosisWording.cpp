@@ -54,22 +54,29 @@ std::string formatHardlyLikely(const Diagnosis& diagnosis) {
       percent(diagnosis.alarm), first.term.label(), formatSizes(first));
 }
 
-/// Sentence for a model that fits. An effect beyond chance that hardly changes the predictions is told with its size,
-/// since the alarm's small probability alone would contradict the verdict.
-std::string formatAdequate(const Diagnosis& diagnosis) {
-  const ErrorUnit& unit = diagnosis.unit;
-  const std::string fits = fmt::format(
-      "The model explains these captures: the error is {:.2f} {unit}, the noise floor {:.2f} {unit}.",
-      unit.perPx * diagnosis.rmsPx, unit.perPx * diagnosis.lackOfFit.noiseFloorPx, fmt::arg("unit", unit.name));
+/// Sentence for an effect beyond chance that hardly changes the predictions; empty without one. The alarm's small
+/// probability alone would contradict the verdict.
+std::string formatTrivial(const Diagnosis& diagnosis) {
   if (diagnosis.alarm > threshold::alarm || diagnosis.ranking.empty() ||
       diagnosis.ranking.front().state != CandidateState::trivial) {
-    return fmt::format("{} Pure noise produces a best candidate this strong in {} of cases.", fits,
-                       percent(diagnosis.alarm));
+    return {};
   }
   const CandidateFinding& first = diagnosis.ranking.front();
-  return fmt::format("{} {} is hardly chance ({}), but it changes the predictions by only {:.2g} {}: too little to "
+  return fmt::format(" {} is hardly chance ({}), but it changes the predictions by only {:.2g} {}: too little to "
                      "matter.",
-                     fits, first.term.label(), formatSizes(first), unit.perPx * first.evidence.movedPx, unit.name);
+                     first.term.label(), formatSizes(first), diagnosis.unit.perPx * first.evidence.movedPx,
+                     diagnosis.unit.name);
+}
+
+std::string formatAdequate(const Diagnosis& diagnosis) {
+  const ErrorUnit& unit = diagnosis.unit;
+  const std::string trivial = formatTrivial(diagnosis);
+  return fmt::format("The model explains these captures: the error is {:.2f} {unit}, the noise floor {:.2f} {unit}.{}",
+                     unit.perPx * diagnosis.rmsPx, unit.perPx * diagnosis.lackOfFit.noiseFloorPx,
+                     !trivial.empty() ? trivial
+                                      : fmt::format(" Pure noise produces a best candidate this strong in {} of cases.",
+                                                    percent(diagnosis.alarm)),
+                     fmt::arg("unit", unit.name));
 }
 
 /// Place and amplitude: "LKneePitch", "±0.30°".
@@ -212,8 +219,8 @@ std::string summarize(const Diagnosis& diagnosis) {
   case Verdict::scatter:
     return fmt::format("Joint scatter: joints deflect at random from pose to pose by {:.3f}° (1 sigma), and nothing "
                        "recorded explains it: stiction or a slipping foot. Repeatability limits this robot, "
-                       "not the model.",
-                       degrees(diagnosis.scatter));
+                       "not the model.{}",
+                       degrees(diagnosis.scatter), formatTrivial(diagnosis));
   case Verdict::inconclusive:
     if (diagnosis.unexplained && !diagnosis.ranking.empty()) {
       return formatHardlyLikely(diagnosis);
