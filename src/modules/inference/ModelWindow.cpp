@@ -78,8 +78,9 @@ public:
     return result;
   }
   double misfitOf(const WindowModel& model) const { return std::max(1.0, model.chi2 / model.freedom); }
-  /// The effects with nonzero sizes at the linearisation point.
-  const Members& fittedMembers() const { return fitted_; }
+  /// Cost of the effects with nonzero sizes at the linearisation point, relative to it, without what another size of
+  /// theirs would gain.
+  double costAsFitted() { return fromFitToZero_ + model(fitted_).cost + computeRefitGain(); }
   /// Increase of -2 ln likelihood of the model alone from the linearisation point to zero coefficients.
   double fromFitToZero() const { return fromFitToZero_; }
 
@@ -189,6 +190,7 @@ private:
   }
   /// Moves the linearisation to zero coefficients of all candidates.
   void moveToZero(const Eigen::VectorXd& sizes) {
+    scoreAtFit_ = score_;
     for (std::size_t group = 0; group < problem_.named; ++group) {
       const ColumnGroup& columns = problem_.groups[group];
       const Eigen::VectorXd own = sizes.segment(columns.first, columns.count);
@@ -204,6 +206,18 @@ private:
       fitted_.push_back({group, columns.count});
     }
     chi2OfNone_ = misfit_.chi2 + fromFitToZero_;
+  }
+  /// Decrease of -2 ln posterior from the fitted sizes to the best ones at this noise level.
+  double computeRefitGain() {
+    if (fitted_.empty()) {
+      return 0;
+    }
+    const std::vector<Eigen::Index> columns = columnsOf(fitted_);
+    WindowModel widest{.members = fitted_};
+    widest.widths.assign(fitted_.size(), std::max(plausibleWidths[0].width, plausibleWidths[1].width));
+    const Eigen::MatrixXd precision = posteriorPrecision(widest, informationOf(fitted_, eigenIndex(columns.size())));
+    const Eigen::VectorXd score = scoreAtFit_(columns);
+    return score.dot(precision.ldlt().solve(score));
   }
   void countGroups() {
     named_ = std::max<double>(1, static_cast<double>(problem_.named));
@@ -229,7 +243,7 @@ private:
   NullModel alone_;
   ScoreTest tests_;
   PoseMisfit misfit_;
-  Eigen::VectorXd score_, alone0_, variances_;
+  Eigen::VectorXd score_, scoreAtFit_, alone0_, variances_;
   Eigen::MatrixXd answers_; // response of the own unknowns to a unit of each column, sign reversed
   Members fitted_;
   double fromFitToZero_ = 0, chi2OfNone_ = 0, named_ = 1, curves_ = 1;
@@ -321,8 +335,7 @@ std::vector<WindowModel> findNeighbours(Window& window, const WindowModel& best)
 
 ExplanationCosts costExplanations(const WideModel& wide, const Noise& noise) {
   Window window{wide, noise, 0};
-  return {window.fromFitToZero() + window.model(window.fittedMembers()).cost,
-          window.fromFitToZero() + findLikeliest(window).cost};
+  return {window.costAsFitted(), window.fromFitToZero() + findLikeliest(window).cost};
 }
 
 ModelWindow searchModelWindow(const WideModel& wide, const Noise& noise, std::size_t expected) {

@@ -55,7 +55,7 @@ struct ModelWindow {
 /// Costs of two explanations at one noise level, as `WindowModel::cost` but relative to -2 ln likelihood at the
 /// linearisation point, which holds the fitted effects at their fitted sizes.
 struct ExplanationCosts {
-  double fitted = 0;    // the effects with sizes at the linearisation point; 0 without any
+  double fitted = 0;    // the effects with sizes at the linearisation point, at these sizes; 0 without any
   double likeliest = 0; // the likeliest model found by the search
 };
 ExplanationCosts costExplanations(const WideModel& wide, const Noise& noise);
