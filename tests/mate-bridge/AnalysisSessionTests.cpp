@@ -181,6 +181,44 @@ TEST_CASE("of a broken expression the place is told") {
   CHECK(checked("a*current")["ok"] == false);         // no currents recorded
 }
 
+TEST_CASE("a suspected set-up is mended like an effect is added, and taken back", "[slow]") {
+  // Proves that the model and the result name the mended joint, that the error falls, that other captures are mended
+  // before they are compared, that a session and a result that have it open with it, and that dropping it brings the
+  // error back.
+  FlawedSet flawed;
+  const std::string folder = (flawed.folder.path() / "flawed").string(), mirrored = "reversedJoint@LHipRoll";
+  Dataset opened = withoutCurrents(openDataset({folder}));
+  const std::vector<std::string>& names = opened.sets.front().jointNames;
+  const auto column = static_cast<std::size_t>(std::find(names.begin(), names.end(), "LHipRoll") - names.begin());
+  for (Capture& capture : opened.sets.front().captures) {
+    capture.joints.measured[column] *= -1;
+  }
+  std::map<std::string, Json> told;
+  AnalysisSession session{opened, [&](const std::string& kind, const Json& content) { told[kind] = content; }};
+  session.fit();
+  const double before = told["fit"]["rms"];
+  session.testCandidates();
+  CHECK(told["questions"]["candidates"][0]["label"] == mirrored);
+  session.add(mirrored);
+  const double after = told["fit"]["rms"];
+  CHECK(after < 0.5 * before);
+  const Json labels = told["fit"]["labels"];
+  CHECK(std::count(labels.begin(), labels.end(), mirrored) == 1);
+  CHECK_THROWS_AS(session.add(mirrored), InputError);
+  const Json result = Json::parse(session.generateFile("result.json"));
+  CHECK(result["inputs"]["setUps"] == Json{mirrored});
+  session.compareWith(opened);
+  CHECK(told["compared"]["rmsPx"].get<double>() == Approx(after).epsilon(0.1));
+  session.drop(mirrored);
+  CHECK(told["fit"]["rms"].get<double>() == Approx(before).epsilon(0.01));
+
+  const std::filesystem::path saved = flawed.folder.path() / "result.json";
+  writeAtomically(saved, result.dump());
+  Dataset again = openDataset({saved.string()});
+  AnalysisSession{again, [&](const std::string& kind, const Json& content) { told[kind] = content; }}.fit();
+  CHECK(told["fit"]["with"] == Json{mirrored});
+}
+
 TEST_CASE("what cannot be done is refused with a sentence and changes nothing", "[slow]") {
   // Proves the refusals of add, drop and goTo.
   Bench bench;

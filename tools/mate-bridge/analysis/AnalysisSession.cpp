@@ -5,6 +5,7 @@
 #include "calibration/result/ResultFile.hpp"
 #include "diagnosis/DiagnosisFile.hpp"
 #include "diagnosis/Session.hpp"
+#include "diagnosis/SetUps.hpp"
 #include "effects/UserEffect.hpp"
 #include "estimation/CandidateTerms.hpp"
 #include "estimation/ModelBuilder.hpp"
@@ -45,14 +46,17 @@ ModelRevision initialRevision(const Dataset& opened, const Measurements& measure
   std::vector<std::string> with = without(opened.terms, base);
   // the base model has every selectable offset; the others are included because torques depend on them
   std::erase_if(with, [](const std::string& label) { return label.starts_with("jointOffset@"); });
+  with.insert(with.end(), opened.inputs.setUps.begin(), opened.inputs.setUps.end());
   return {.with = std::move(with), .without = without(base, opened.terms), .definitions = opened.definitions};
 }
 
 } // namespace
 
 AnalysisSession::AnalysisSession(Dataset opened, MessageSink tell)
-    : opened_{std::move(opened)}, measurements_{buildMeasurements(opened_.sets, opened_.robot)}, tell_{std::move(tell)},
-      session_{opened_.ladder.empty() ? std::vector{initialRevision(opened_, measurements_)} : opened_.ladder,
+    : opened_{std::move(opened)}, measurements_{std::make_shared<const Measurements>(
+                                      buildMeasurements(opened_.sets, opened_.robot))},
+      mended_{measurements_, {}, {}}, tell_{std::move(tell)},
+      session_{opened_.ladder.empty() ? std::vector{initialRevision(opened_, *measurements_)} : opened_.ladder,
                opened_.at, opened_.inputs} {
   tellSet(session_.current());
 }
@@ -71,13 +75,13 @@ void AnalysisSession::tellSet(const ModelRevision& rung) {
     joints.push_back(joint.name);
   }
   tell_("set", {{"names", opened_.inputs.sets},
-                {"robot", measurements_.robot.model},
+                {"robot", measurements_->robot.model},
                 {"headId", opened_.sets.front().headId},
                 {"bodyId", opened_.sets.front().bodyId},
-                {"pictures", measurements_.pictures.size()},
-                {"poses", measurements_.poses.size()},
-                {"corners", measurements_.cornerCount},
-                {"readings", measurements_.witnessCount},
+                {"pictures", measurements_->pictures.size()},
+                {"poses", measurements_->poses.size()},
+                {"corners", measurements_->cornerCount},
+                {"readings", measurements_->witnessCount},
                 {"isNao", isNao()},
                 {"joints", std::move(joints)},
                 {"own", Json::parse(rung.definitions)},
@@ -107,18 +111,23 @@ void AnalysisSession::fit() {
 /// Fits the session's current model, then makes the session current; strong exception guarantee.
 void AnalysisSession::enter(Session session) {
   ModelRevision& rung = session.current();
-  const Model model = buildModel(measurements_, rung.with, rung.without, effects(rung));
-  const CalibrationResult result = calibrate(measurements_, model);
+  MendedMeasurements mended = mendMeasurements(measurements_, rung.with);
+  const Measurements& measurements = *mended.measurements;
+  const Model model = buildModel(measurements, mended.effects, rung.without, effects(rung));
+  const CalibrationResult result = calibrate(measurements, model);
   rung.rmsPx = result.rmsPx;
-  errors_ = errorUnitOf(measurements_, result.noise);
-  const Json document = resultJson({measurements_, model, result}, opened_.inputs);
-  Json told = fitJson(document, opened_, {measurements_, model, result});
+  errors_ = errorUnitOf(measurements, result.noise);
+  ResultSources inputs = opened_.inputs;
+  inputs.setUps = mended.setUps;
+  const Json document = resultJson({measurements, model, result}, inputs);
+  Json told = fitJson(document, opened_, {measurements, model, result});
   told["with"] = rung.with;
   told["without"] = rung.without;
-  told["labels"] = termLabels(model);
-  told["candidates"] = testableTerms(measurements_, model, effects(rung)).size();
+  told["candidates"] = testableTerms(measurements, model, effects(rung)).size();
   result_ = document;
   session_ = std::move(session);
+  mended_ = std::move(mended);
+  told["labels"] = terms();
   diagnosis_.reset();
   next_.reset();
   tellSet(session_.current());
@@ -129,7 +138,10 @@ void AnalysisSession::enter(Session session) {
 
 std::vector<std::string> AnalysisSession::terms() const {
   const ModelRevision& rung = session_.current();
-  return termLabels(buildModel(measurements_, rung.with, rung.without, effects(rung)));
+  std::vector<std::string> labels =
+      termLabels(buildModel(*mended_.measurements, mended_.effects, rung.without, effects(rung)));
+  labels.insert(labels.end(), mended_.setUps.begin(), mended_.setUps.end());
+  return labels;
 }
 
 void AnalysisSession::add(const std::string& label) {
@@ -152,7 +164,7 @@ void AnalysisSession::goTo(std::size_t number) {
 
 DiagnosisOptions AnalysisSession::options(const ModelRevision& rung) const {
   DiagnosisOptions result;
-  result.with = rung.with;
+  result.with = mended_.effects;
   result.without = rung.without;
   result.effects = effects(rung);
   return result;
@@ -162,7 +174,7 @@ const Diagnosis& AnalysisSession::diagnosis() {
   if (!diagnosis_) {
     DiagnosisOptions asked = options(session_.current());
     asked.extend = false;
-    diagnosis_ = diagnose(measurements_, asked);
+    diagnosis_ = diagnose(*mended_.measurements, asked);
   }
   return *diagnosis_;
 }
@@ -180,7 +192,7 @@ void AnalysisSession::testCandidates() {
 void AnalysisSession::searchMissing(const std::function<bool()>& goesOn) {
   DiagnosisOptions asked = options(session_.current());
   asked.shouldContinue = goesOn;
-  Json found = diagnosisPanelJson(diagnose(measurements_, asked));
+  Json found = diagnosisPanelJson(diagnose(*mended_.measurements, asked));
   found["stopped"] = !goesOn();
   found["with"] = session_.current().with; // the model that the search started from
   tell_("found", found);
@@ -217,7 +229,7 @@ Json AnalysisSession::checkEffect(const Json& effect) const {
     const Effect made = parseUserEffect(JsonCursor{effect, definitionsName}, opened_.robot);
     const std::vector<Effect> all = parseEffects(Json::array({effect}), definitionsName, opened_.robot);
     if (effect["at"] != "*") {
-      buildModel(measurements_, {fmt::format("{}@{}", made.name, effect["at"].get<std::string>())}, {}, all);
+      buildModel(*measurements_, {fmt::format("{}@{}", made.name, effect["at"].get<std::string>())}, {}, all);
     }
     return {{"ok", true}};
   } catch (const CorrectionError& error) {
@@ -237,7 +249,7 @@ void AnalysisSession::proposePoses(std::size_t count) {
   }
   NextPosesOptions wanted;
   wanted.count = count;
-  next_ = proposeNextPoses(measurements_, diagnosis(), options(session_.current()), wanted);
+  next_ = proposeNextPoses(*mended_.measurements, diagnosis(), options(session_.current()), wanted);
   Json told = nextPosesJson(*next_, opened_.robot);
   told["whyNone"] = next_->whyNone;
   tell_("next", told);
@@ -245,7 +257,10 @@ void AnalysisSession::proposePoses(std::size_t count) {
 
 void AnalysisSession::compareWith(const Dataset& others) {
   const StoredResult stored = parseResult(result_, "result.json");
-  Json told = comparisonJson(compare(stored, others.sets, opened_.robot, false));
+  std::vector<CaptureSet> sets = others.sets;
+  std::vector<std::string> setUps = mended_.setUps;
+  mendSetUps(setUps, opened_.robot, sets);
+  Json told = comparisonJson(compare(stored, sets, opened_.robot, false));
   told["kinds"] = comparedKindsData(JsonCursor{told, "the comparison"});
   told["names"] = others.inputs.sets;
   tell_("compared", told);

@@ -2,6 +2,7 @@
 
 #include "analysis/Dataset.hpp"
 
+#include "diagnosis/MendedMeasurements.hpp"
 #include "poses/NextPoses.hpp"
 
 #include <functional>
@@ -59,6 +60,7 @@ private:
   void tellSet(const ModelRevision& rung);
   void tellLadder() const;
   void keepSession() const;
+  /// Labels of the current model's terms and of the set-ups that it mends.
   std::vector<std::string> terms() const;
   void enter(Session session);
   DiagnosisOptions options(const ModelRevision& rung) const;
@@ -66,7 +68,8 @@ private:
   bool isNao() const;
 
   const Dataset opened_;
-  const Measurements measurements_;
+  const std::shared_ptr<const Measurements> measurements_; // as given
+  MendedMeasurements mended_;                              // as the current model takes them
   MessageSink tell_;
   Session session_;
   ErrorUnit errors_;                   // of the model that was fitted last

@@ -96,6 +96,9 @@ void addInputs(const JsonCursor& inputs, const SetSearch& search, InputUse use, 
     const bool hasSum = i < sums.size() && sums[i].value() != "";
     addSet(findFolder({places[i], hasSum ? sums[i].text() : ""}, search, use, opened), opened);
   }
+  if (const auto setUps = inputs.find("setUps")) {
+    opened.inputs.setUps = setUps->texts();
+  }
 }
 
 /// Adds a diagnosis: the suggested effects, and its sets unless sets are given.

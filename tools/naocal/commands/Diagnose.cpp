@@ -113,12 +113,12 @@ Diagnosis withProgress(const Measurements& measurements, DiagnosisOptions option
 }
 
 int diagnose(DiagnoseCommand& command) {
-  LoadedSets given = loadSets(command.sets, command.skipBad);
-  mendSetUps(command.options.with, given.robot, given.sets);
-  const Measurements measurements = buildMeasurements(std::move(given.sets), given.robot, command.samePlace);
   const GivenOptions asIs{command.sets,  command.options.with, command.options.without,
                           command.model, command.samePlace,    command.skipBad};
-  readModel(command, measurements.robot);
+  LoadedSets given = loadSets(command.sets, command.skipBad);
+  readModel(command, given.robot);
+  mendSetUps(command.options.with, given.robot, given.sets);
+  const Measurements measurements = buildMeasurements(std::move(given.sets), given.robot, command.samePlace);
   const Diagnosis diagnosis = withProgress(measurements, command.options);
   const NextPoses next = asked(command, measurements, diagnosis);
   const nlohmann::json validated =

@@ -4,6 +4,7 @@
 #include "console/print/PrintDiagnosis.hpp"
 #include "console/print/PrintText.hpp"
 #include "diagnosis/Diagnosis.hpp"
+#include "diagnosis/MendedMeasurements.hpp"
 #include "diagnosis/Session.hpp"
 #include "estimation/ModelBuilder.hpp"
 #include "estimation/ModelFile.hpp"
@@ -49,7 +50,8 @@ private:
   void save() const;
 
   const LoadedSets& given_;
-  Measurements measurements_;
+  std::shared_ptr<const Measurements> measurements_; // as given
+  MendedMeasurements mended_;                        // as the current model takes them
   std::string file_;
   Session session_;
   Diagnosis latest_;
@@ -75,7 +77,8 @@ std::string modelWords(const ModelRevision& rung) {
 }
 
 ExploreLoop::ExploreLoop(const LoadedSets& given, ModelRevision first, std::string file)
-    : given_{given}, measurements_{buildMeasurements(given.sets, given.robot)}, file_{std::move(file)} {
+    : given_{given}, measurements_{std::make_shared<const Measurements>(buildMeasurements(given.sets, given.robot))},
+      file_{std::move(file)} {
   if (!file_.empty() && std::filesystem::exists(file_)) {
     session_ = readSession(file_);
     requireSameCaptures(session_, given_.inputs, file_);
@@ -96,23 +99,28 @@ std::vector<Effect> ExploreLoop::effects(const ModelRevision& rung) const {
 }
 
 ModelRevision ExploreLoop::questioned(ModelRevision rung) {
-  DiagnosisOptions options{.with = rung.with, .without = rung.without};
+  MendedMeasurements mended = mendMeasurements(measurements_, rung.with);
+  DiagnosisOptions options{.with = mended.effects, .without = rung.without};
   options.effects = effects(rung);
   options.extend = false;
-  Diagnosis diagnosis = diagnose(measurements_, options);
+  Diagnosis diagnosis = diagnose(*mended.measurements, options);
   if (diagnosis.steps.empty()) {
     throw InputError{diagnosis.sentence};
   }
   latest_ = std::move(diagnosis);
+  mended_ = std::move(mended);
   rung.rmsPx = latest_.steps.front().rmsPx;
   rung.questioned = latest_.steps.front();
   return rung;
 }
 
-/// Labels of the current model's terms.
+/// Labels of the current model's terms and of the set-ups that it mends.
 std::vector<std::string> ExploreLoop::terms() const {
   const ModelRevision& rung = session_.current();
-  return termLabels(buildModel(measurements_, rung.with, rung.without, effects(rung)));
+  std::vector<std::string> labels =
+      termLabels(buildModel(*mended_.measurements, mended_.effects, rung.without, effects(rung)));
+  labels.insert(labels.end(), mended_.setUps.begin(), mended_.setUps.end());
+  return labels;
 }
 
 /// Fits the session's current model, then makes the session current; strong exception guarantee.
@@ -159,6 +167,9 @@ void ExploreLoop::printLadder() const {
 }
 
 void ExploreLoop::printCandidates() const {
+  for (const DataAnomaly& anomaly : latest_.anomalies) {
+    printText("suspected: {}{}\n", anomaly.why, anomaly.setUp.empty() ? "" : "  (mend it: add " + anomaly.setUp + ")");
+  }
   naocal::printCandidates(latest_);
 }
 
@@ -171,7 +182,7 @@ void ExploreLoop::save() const {
 }
 
 void printHelp() {
-  printText("  add EFFECT@PLACE    put an effect into the model and fit\n"
+  printText("  add EFFECT@PLACE    put an effect into the model and fit; a suspected set-up is mended\n"
             "  drop EFFECT@PLACE   take it out again\n"
             "  undo                back to the model that this one was made from\n"
             "  what                the candidates, best first\n"

@@ -33,14 +33,14 @@ struct SolveCommand {
 };
 
 /// The model from the options and the model file.
-Model askedModel(const SolveCommand& command, const Measurements& measurements) {
-  if (command.model.empty()) {
-    return buildModel(measurements, command.with, command.without);
+ModelFile askedModel(const SolveCommand& command, const Robot& robot) {
+  ModelFile asked{.effects = allEffects()};
+  if (!command.model.empty()) {
+    asked = readModelFile(command.model, robot);
   }
-  ModelFile file = readModelFile(command.model, measurements.robot);
-  file.with.insert(file.with.end(), command.with.begin(), command.with.end());
-  file.without.insert(file.without.end(), command.without.begin(), command.without.end());
-  return buildModel(measurements, file.with, file.without, file.effects);
+  asked.with.insert(asked.with.end(), command.with.begin(), command.with.end());
+  asked.without.insert(asked.without.end(), command.without.begin(), command.without.end());
+  return asked;
 }
 
 /// The start from a result, or from a file of `naocal import`.
@@ -56,9 +56,10 @@ int solve(SolveCommand& command) {
   command.options.estimateNoise = !command.fixedNoise;
   command.options.robust = !command.plain;
   LoadedSets given = loadSets(command.sets, command.skipBad);
-  given.inputs.setUps = mendSetUps(command.with, given.robot, given.sets);
+  ModelFile asked = askedModel(command, given.robot);
+  given.inputs.setUps = mendSetUps(asked.with, given.robot, given.sets);
   const Measurements measurements = buildMeasurements(std::move(given.sets), given.robot, command.samePlace);
-  const Model model = askedModel(command, measurements);
+  const Model model = buildModel(measurements, asked.with, asked.without, asked.effects);
   if (!command.start.empty()) {
     SearchStart start = readStart(command.start, measurements, model);
     command.options.start = std::move(start.unknowns);

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "measurements/Measurements.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace naocal {
+
+/// Measurements as a model's labels take them: the wrong set-ups among the labels are mended, the rest are effects.
+struct MendedMeasurements {
+  std::shared_ptr<const Measurements> measurements;
+  std::vector<std::string> effects, setUps; // labels
+};
+
+/// Mends the wrong set-ups among `with` (`mendSetUps`). Without any, the measurements are `given` itself. Throws
+/// InputError for set-ups that these captures cannot have.
+MendedMeasurements mendMeasurements(const std::shared_ptr<const Measurements>& given,
+                                    const std::vector<std::string>& with);
+
+} // namespace naocal
