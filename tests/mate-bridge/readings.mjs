@@ -1,8 +1,8 @@
 // Opens captures of robots with a URDF in the panel: readings of a tracker, contacts, corners of a camera on a wrist.
 // Proves that each is fitted, tested and compared in its own unit, that views without anything to show are absent, and
-// that no text speaks of pixels where there are none. Numbers are tested with the diagnosis.
+// that no text speaks of pixels where there are none; mends a suspected set-up. Numbers are tested with the diagnosis.
 // Usage: node readings.mjs NAOCAL MATE-BRIDGE NODE_MODULES PICTURES SETS; skipped (77) without the sets
-import {existsSync} from "node:fs";
+import {existsSync, writeFileSync} from "node:fs";
 import {join} from "node:path";
 import {tools, check, happens, panelOf, folder, quietPage, portrait, run, skip, end} from "./browser.mjs";
 
@@ -46,6 +46,21 @@ const corners = await opened(seen);
 await happens(corners.page.getByRole("img", {name: /^measured and predicted corners/}).first().waitFor(), "an arm's pictures are drawn");
 check(await corners.page.getByRole("heading", {name: "Against the noise"}).count() === 0, "and no readings");
 await corners.panel.stop();
+
+// A suspected set-up is mended like an effect is added.
+const mirrored = join(here, "mirrored"), scene = join(here, "scene.json");
+writeFileSync(scene, JSON.stringify({format: "naocal-scene", version: 1, trackers: {laser: {sigma: 0.0002, about: {x: 2, y: 0.3, z: 1, yaw: 3}}},
+  markers: [{id: "ball", link: "wrist_3_link", about: [0.1, 0.05, 0.02]}]}));
+run(naocal, "simulate", mirrored, "--robot", join(tracked, "robot.urdf"), "--scene", scene, "--flaw", "reversedJoint@elbow_joint", "--poses", "24", "--samples", "1");
+const wrong = await opened(mirrored);
+await tab(wrong.page, "Learn").click();
+const mend = wrong.page.getByRole("button", {name: "mend reversedJoint@elbow_joint"});
+await happens(mend.waitFor(), "a joint that turns the other way is offered to be mended");
+await portrait(wrong.page, axe, pictures, "mirrored");
+await mend.click();
+await happens(wrong.page.locator("#model").getByText("+ reversedJoint@elbow_joint").first().waitFor(), "and the ladder has it");
+await happens(wrong.page.getByText(/^The model explains these captures/).first().waitFor(), "and then nothing is missing");
+await wrong.panel.stop();
 
 // The report of a folder.
 const report = join(here, "report.html");

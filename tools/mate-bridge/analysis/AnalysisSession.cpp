@@ -50,6 +50,21 @@ ModelRevision initialRevision(const Dataset& opened, const Measurements& measure
   return {.with = std::move(with), .without = without(base, opened.terms), .definitions = opened.definitions};
 }
 
+/// Calibrates. Where no fit is possible, throws InputError with the set-up error that a diagnosis suspects, if any.
+CalibrationResult calibrateOrSuspect(const Measurements& measurements, const Model& model) {
+  try {
+    return calibrate(measurements, model);
+  } catch (const InputError&) {
+    const Diagnosis suspicion = diagnose(measurements, {});
+    if (suspicion.anomalies.empty() || suspicion.anomalies.front().setUp.empty()) {
+      throw;
+    }
+    throw InputError{fmt::format("{} These captures cannot be fitted as they are: open the result of 'naocal solve SET "
+                                 "--with {} -o result.json'.",
+                                 suspicion.sentence, suspicion.anomalies.front().setUp)};
+  }
+}
+
 } // namespace
 
 AnalysisSession::AnalysisSession(Dataset opened, MessageSink tell)
@@ -114,7 +129,7 @@ void AnalysisSession::enter(Session session) {
   MendedMeasurements mended = mendMeasurements(measurements_, rung.with);
   const Measurements& measurements = *mended.measurements;
   const Model model = buildModel(measurements, mended.effects, rung.without, effects(rung));
-  const CalibrationResult result = calibrate(measurements, model);
+  const CalibrationResult result = calibrateOrSuspect(measurements, model);
   rung.rmsPx = result.rmsPx;
   errors_ = errorUnitOf(measurements, result.noise);
   ResultSources inputs = opened_.inputs;

@@ -105,7 +105,10 @@ ModelRevision ExploreLoop::questioned(ModelRevision rung) {
   options.extend = false;
   Diagnosis diagnosis = diagnose(*mended.measurements, options);
   if (diagnosis.steps.empty()) {
-    throw InputError{diagnosis.sentence};
+    const bool mendable = !diagnosis.anomalies.empty() && !diagnosis.anomalies.front().setUp.empty();
+    throw InputError{mendable ? fmt::format("{} Mend it in a model file: \"with\": [\"{}\"].", diagnosis.sentence,
+                                            diagnosis.anomalies.front().setUp)
+                              : diagnosis.sentence};
   }
   latest_ = std::move(diagnosis);
   mended_ = std::move(mended);
