@@ -110,7 +110,7 @@ Diagnosis diagnoseTouches(const SceneSimulation& simulation) {
 
 } // namespace
 
-TEST_CASE("a simulated touch brings the true marker to the true place in ever other joint angles") {
+TEST_CASE("a simulated touch brings the true marker to the true place in joint angles of its own") {
   // Proves the search for joint angles against Eigen's transforms, without noise; limits; and that the truth tells the
   // places and the distances are between them.
   TouchingArm arm{measuredPlaces};

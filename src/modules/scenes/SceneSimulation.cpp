@@ -304,7 +304,7 @@ private:
 
   bool comesBack() const { return plan_.repeatKind == RepeatKind::reapproach; }
 
-  /// One normal deflection per motor; joints that mimic others have their own [rad].
+  /// One normal deflection per joint [rad].
   Eigen::VectorXd drawScatter(RandomStream& chance, double sigma) const {
     Eigen::VectorXd scatter(last_.size());
     for (double& one : scatter) {
