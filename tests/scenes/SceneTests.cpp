@@ -236,6 +236,36 @@ TEST_CASE("springs of a scene give way by 0.02 rad at most unless they are scale
   CHECK(simulateScene(scene, large).truth.value("elasticity", "lift", "c").value() == Approx(3 * c));
 }
 
+TEST_CASE("a robot that leaves a pose and comes back has a new scatter and one that rests has not") {
+  // Proves what repeats share, by readings without noise: of rest everything, of a new approach the pose's scatter
+  // alone. Every approach takes the time of a pose.
+  const Arm arm{"hand"};
+  RobotScene scene = arm.trackedScene();
+  silence(scene);
+  scene.set.instruments.trackers.front().sigma = scene.set.instruments.trackers.front().sigmaRotation = 1e-9;
+  scene.noise.approach = 0.002;
+  ScenePlan twice = plan();
+  twice.samples = 2;
+  const auto shiftBetween = [](const CaptureSet& set) {
+    REQUIRE(set.captures.size() == 12);
+    CHECK(set.captures[0].pose == set.captures[1].pose);
+    CHECK(set.captures[1].repeat == 1);
+    CHECK(set.captures[0].joints.measured == set.captures[1].joints.measured);
+    return (set.captures[1].points.front().xyz - set.captures[0].points.front().xyz).norm();
+  };
+  const CaptureSet rested = simulateScene(scene, twice).set;
+  CHECK(rested.captures[1].repeatKind == RepeatKind::rest);
+  CHECK(shiftBetween(rested) < 1e-7);
+  twice.repeatKind = RepeatKind::reapproach;
+  const CaptureSet approached = simulateScene(scene, twice).set;
+  CHECK(approached.captures[1].repeatKind == RepeatKind::reapproach);
+  CHECK(shiftBetween(approached) > 1e-5);
+  CHECK((approached.captures[1].time - approached.captures[0].time).count() == Approx(10));
+  scene.noise.approach = 0;
+  scene.noise.pose = 0.002;
+  CHECK(shiftBetween(simulateScene(scene, twice).set) < 1e-7);
+}
+
 TEST_CASE("a joint that turns the other way is recorded with the other sign") {
   // Proves reversedJoint and countSlip against the same robot without them: nothing else differs.
   const Arm arm{"hand"};
@@ -271,10 +301,17 @@ TEST_CASE("what a scene cannot have is refused with a sentence") {
   CHECK_THAT(refusal(begin + R"("ranges": {"knee": [0, 1]}})"), Catch::Contains("ranges.knee: expected a range of a"));
   CHECK_THAT(refusal(begin + R"("ranges": {"lift": [1, 0]}})"), Catch::Contains("not above the highest"));
   CHECK_THAT(refusal(begin + R"("noise": {"pixels": 1}})"), Catch::Contains("noise.pixels: expected one of the noise"));
-  CHECK_THAT(refusal(begin + R"("places": []})"), Catch::Contains("places: expected no `places`"));
+  CHECK_THAT(refusal(begin + R"("captures": []})"), Catch::Contains("captures: expected no `captures`"));
+  CHECK_THAT(refusal(begin + R"("markers": [{"id": "ball", "link": "hand"}], "places": [{"id": "a"}]})"),
+             Catch::Contains("scene.json: places: expected of \"a\" a point") && Catch::Contains("about"));
+  CHECK_THAT(refusal(begin + R"("places": [{"id": "a", "about": [0.1, 0, 0]}]})"),
+             Catch::Contains("places: expected `markers` on the robot that touch them"));
   CHECK_THAT(refusal(R"({"format": "naocal-captures", "version": 1})"), Catch::Contains("naocal-scene"));
   const RobotScene scene = arm.trackedScene();
   const auto flawed = [&](const std::string& flaw) { return simulateScene(scene, plan({flaw})); };
+  ScenePlan anew = plan();
+  anew.repeatKind = RepeatKind::restand;
+  CHECK_THROWS_WITH(simulateScene(scene, anew), Catch::Contains("expected rest or reapproach, found restand"));
   CHECK_THROWS_WITH(flawed("elasticity@elbo"), Catch::Contains("near it are elasticity@elbow"));
   CHECK_THROWS_WITH(flawed("reversedJoint@elbo"), Catch::Contains("near it are elbow"));
   CHECK_THROWS_WITH(flawed("countSlip@elbow"), Catch::Contains("slipSteps.elbow"));

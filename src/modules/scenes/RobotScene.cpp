@@ -48,6 +48,13 @@ json asCaptureSet(json scene, const CaptureSet& robotOnly) {
   scene["jointNames"] = robotOnly.jointNames;
   scene["stances"] = json::array({stance});
   scene["captures"] = json::array();
+  if (const auto distances = scene.find("distances"); distances != scene.end() && distances->is_array()) {
+    for (json& distance : *distances) {
+      if (distance.is_object()) {
+        distance["metres"] = 1; // until it is measured
+      }
+    }
+  }
   return scene;
 }
 
@@ -56,11 +63,13 @@ void readNoise(const JsonCursor& place, SceneNoise& noise) {
     double* const level = key == "pixel"             ? &noise.pixel
                           : key == "encoder"         ? &noise.encoder
                           : key == "pose"            ? &noise.pose
+                          : key == "approach"        ? &noise.approach
                           : key == "tracker"         ? &noise.tracker
                           : key == "trackerRotation" ? &noise.trackerRotation
+                          : key == "contact"         ? &noise.contact
                                                      : nullptr;
     if (level == nullptr) {
-      value.refuse("one of the noise levels pixel, encoder, pose, tracker and trackerRotation", key);
+      value.refuse("one of the noise levels pixel, encoder, pose, approach, tracker, trackerRotation and contact", key);
     }
     *level = value.number(sigmaRange);
   }
@@ -107,9 +116,9 @@ void readAbout(const JsonCursor& top, const std::string& key, bool isPoint, Robo
 void requirePlaces(const JsonCursor& top, const RobotScene& scene) {
   const auto require = [&](bool isPlaced, const std::string& key, const std::string& id) {
     if (!isPlaced && !scene.about.contains(key + '.' + id)) {
-      top.at(key).refuse(fmt::format("of \"{}\" a placement, which the simulated set tells, or `about`, which it does "
+      top.at(key).refuse(fmt::format("of \"{}\" a {}, which the simulated set tells, or `about`, which it does "
                                      "not",
-                                     id),
+                                     id, key == "places" ? "point" : "placement"),
                          "neither");
     }
   };
@@ -122,9 +131,24 @@ void requirePlaces(const JsonCursor& top, const RobotScene& scene) {
   for (const Tracker& tracker : scene.set.instruments.trackers) {
     require(tracker.placement.has_value(), "trackers", tracker.id);
   }
+  for (const ContactPlace& place : scene.set.instruments.places) {
+    require(place.point.has_value(), "places", place.id);
+  }
+  if (!scene.set.instruments.places.empty() && scene.set.instruments.markers.empty()) {
+    top.at("places").refuse("`markers` on the robot that touch them", "none");
+  }
+  if (!scene.set.instruments.places.empty() && standsOnSole(scene.set)) {
+    top.at("places").refuse("a robot whose base stands in the world: touches are not simulated on soles",
+                            "one that stands on a sole");
+  }
 }
 
 } // namespace
+
+bool standsOnSole(const CaptureSet& set) {
+  const Stance& stance = set.stances.front();
+  return !stance.supportLinks.empty() || stance.supportFoot != SupportFoot::none;
+}
 
 const Tracker& findTracker(const CaptureSet& set, const std::string& id) {
   const std::vector<Tracker>& trackers = set.instruments.trackers;
@@ -164,22 +188,21 @@ RobotScene parseRobotScene(const std::string& text, const std::string& name, con
   const json written = parseJson(text, name);
   const JsonCursor top{written, name};
   requireFormat(top, "naocal-scene");
-  for (const char* const key : {"captures", "places", "distances"}) {
-    if (const auto found = top.find(key)) {
-      found->refuse(fmt::format("no `{}`: contacts and captures are not part of a scene that is simulated", key),
-                    "them");
-    }
+  if (const auto found = top.find("captures")) {
+    found->refuse("no `captures`: they are what a scene is simulated for", "them");
   }
   RobotScene scene;
   scene.set = parseCaptureSet(asCaptureSet(written, robotOnly).dump(), name).set;
   scene.set.source = nullptr;
   scene.set.name = robotOnly.name;
   scene.set.folder = robotOnly.folder;
-  scene.set.version = robotOnly.urdf.empty() && scene.set.instruments.trackers.empty() ? 1 : 2;
+  scene.set.version =
+      robotOnly.urdf.empty() && scene.set.instruments.trackers.empty() && scene.set.instruments.places.empty() ? 1 : 2;
   for (const char* const key : {"boards", "cameras", "trackers", "frames"}) {
     readAbout(top, key, false, scene);
   }
   readAbout(top, "markers", true, scene);
+  readAbout(top, "places", true, scene);
   requirePlaces(top, scene);
   if (const auto ranges = top.find("ranges")) {
     readRanges(*ranges, scene);

@@ -15,8 +15,10 @@ struct SceneNoise {
   double pixel = 0.3;            // of a corner, per axis [px]
   double encoder = 1.2e-4;       // of a reading, before it is rounded to `encoderSteps` [rad]
   double pose = 0;               // deflection behind the encoder, drawn anew in every pose [rad]
+  double approach = 0;           // further deflection, drawn anew at every approach to a pose [rad]
   double tracker = 5e-4;         // of a tracker that tells no `sigma`, per axis [m]
   double trackerRotation = 1e-3; // of a tracker that tells no `sigmaRotation`, per axis [rad]
+  double contact = 2e-4;         // of a touch where the scene tells no `contactSigma`, per axis [m]
 };
 
 /// A robot and what measures it: what a simulation starts from.
@@ -26,6 +28,9 @@ struct RobotScene {
   std::map<std::string, AngleRange> ranges; // of joints, within their limits [rad]
   SceneNoise noise;
 };
+
+/// Whether the robot stands on soles in its first stance; otherwise its base stands in the world.
+bool standsOnSole(const CaptureSet& set);
 
 /// The tracker with this id; the set must have it.
 const Tracker& findTracker(const CaptureSet& set, const std::string& id);
@@ -37,9 +42,10 @@ CaptureSet makeRobotOnly(const std::string& robot, SupportFoot foot);
 /// Reads what measures the robot: a JSON file of the format naocal-scene with the keys of a capture set of version 2.
 /// Throws InputError with file, path, expected and found.
 ///
-/// Instead of a `placement` (of boards, cameras beside the robot, trackers and frames) or a `point` (of markers) an
-/// entry may have `about`: roughly where it truly stands, which the simulated set does not tell. Further keys: `base`,
-/// `supportLinks`, `ranges` (of joints), `noise`.
+/// Instead of a `placement` (of boards, cameras beside the robot, trackers and frames) or a `point` (of markers and
+/// places) an entry may have `about`: roughly where it truly stands, which the simulated set does not tell. `distances`
+/// need no `metres`: they are measured in the simulation. Further keys: `base`, `supportLinks`, `ranges` (of joints),
+/// `noise`.
 RobotScene readRobotScene(const std::filesystem::path& file, const CaptureSet& robotOnly);
 
 /// `name`: the file's, for error messages.

@@ -83,6 +83,9 @@ bool showsAnything(const Capture& capture) {
 
 CandidateCaptures drawCandidates(const RobotScene& scene, const SceneCandidatesOptions& options) {
   ScenePlan still{.given = {}, .seed = options.seed, .robotSeed = {}, .sceneSeed = {}, .spread = 0};
+  if (scene.set.cameras.empty() && scene.set.instruments.trackers.empty()) {
+    throw InputError{"expected a scene with cameras or trackers, found neither; touches are not planned"};
+  }
   TrueRobot robot{scene, still};
   CandidateCaptures result{.set = withTrackerNoise(scene), .noise = assumedNoise(scene)};
   std::mt19937_64 random{options.seed};

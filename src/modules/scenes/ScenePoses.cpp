@@ -70,13 +70,17 @@ AngleRange ScenePoses::rangeOf(std::size_t joint) const {
   return range;
 }
 
-void ScenePoses::followMotors(ModelState& modelState) const {
+void ScenePoses::followMotors(Eigen::VectorXd& angles) const {
   for (std::size_t joint = 0; joint < robot_.joints.size(); ++joint) {
     const Joint& drawn = robot_.joints[joint];
     if (drawn.motor != joint) {
-      modelState.angle(joint) = drawn.ratio * modelState.angle(drawn.motor) + drawn.shift;
+      angles[eigenIndex(joint)] = drawn.ratio * angles[eigenIndex(drawn.motor)] + drawn.shift;
     }
   }
+}
+
+bool ScenePoses::isFree(const Eigen::VectorXd& angles) const {
+  return isWithinLimits(angles) && !collision_.collides(forwardKinematics(robot_, angles));
 }
 
 bool ScenePoses::isWithinLimits(const Eigen::VectorXd& angles) const {
@@ -102,7 +106,7 @@ bool ScenePoses::balance(ModelState& modelState) {
   Eigen::Vector2d centre = target;
   constexpr int rounds = 6; // converges to 1 mm
   for (int round = 0; round <= rounds; ++round) {
-    followMotors(modelState);
+    followMotors(modelState.values);
     const LinkPoses torsoFromLink = forwardKinematics(robot_, modelState);
     const GravityLoad load =
         gravityLoad(robot_, modelState, torsoFromLink, sole_->link, torsoFromLink[sole_->link].rotation.col(2));
@@ -150,7 +154,7 @@ std::optional<Eigen::VectorXd> ScenePoses::draw() {
     const double half = (range.upper - range.lower) / 2;
     modelState.angle(joint) = range.lower + half + chance_.uniformWithin(half);
   }
-  followMotors(modelState);
+  followMotors(modelState.values);
   ++counts_.generated;
   const bool isBalanced = !sole_ || !hasMasses_ || balance(modelState);
   const Eigen::VectorXd angles = modelState.values.head(eigenIndex(robot_.joints.size()));

@@ -25,6 +25,15 @@ public:
   /// One angle per joint [rad]; absent if the drawn pose cannot be taken.
   std::optional<Eigen::VectorXd> draw();
 
+  /// Lets joints that mimic others follow their motors.
+  void followMotors(Eigen::VectorXd& angles) const;
+
+  /// The angles that poses are drawn from [rad].
+  AngleRange rangeOf(std::size_t joint) const;
+
+  /// Whether a robot whose base stands can take a pose: within the limits, its parts apart.
+  bool isFree(const Eigen::VectorXd& angles) const;
+
   /// How many poses were drawn since the last call, and how many of them passed each test; `seeing` is not counted.
   PassCounts takeCounts() { return std::exchange(counts_, {}); }
 
@@ -32,11 +41,9 @@ public:
   const Sole* sole() const { return sole_; }
 
 private:
-  AngleRange rangeOf(std::size_t joint) const;
   bool isWithinLimits(const Eigen::VectorXd& angles) const;
   bool balance(ModelState& modelState);
   bool isAboveFloor(const LinkPoses& torsoFromLink) const;
-  void followMotors(ModelState& modelState) const;
 
   const Robot& robot_;
   const RobotScene& scene_;

@@ -4,6 +4,7 @@
 #include "io/InputError.hpp"
 #include "math/LinearAlgebra.hpp"
 #include "measurements/Noise.hpp"
+#include "scenes/TouchPoses.hpp"
 #include "scenes/TrueRobot.hpp"
 #include "simulation/Simulation.hpp"
 
@@ -95,6 +96,10 @@ private:
   RandomStream encoders_, corners_, trackers_;
 };
 
+double contactSigmaOf(const RobotScene& scene) {
+  return scene.set.instruments.contactSigma.value_or(scene.noise.contact);
+}
+
 /// resultFromWorld: a result's world is the simulator's, but the frame of the first floor board that was seen if the
 /// robot stands on a sole and the set places no floor board.
 RigidTransform resultWorld(const RobotScene& scene, const TrueRobot& robot, const std::vector<Capture>& captures) {
@@ -137,6 +142,9 @@ TrueScene listTrueScene(const CaptureSet& placed, const RigidTransform& resultFr
   for (const TrackedMarker& marker : placed.instruments.markers) {
     scene.markers[marker.id] = *marker.point;
   }
+  for (const ContactPlace& place : placed.instruments.places) {
+    scene.places[place.id] = resultFromWorld * *place.point;
+  }
   const Stance& stance = placed.stances.front();
   scene.placements["stances"][std::to_string(stance.id)] = inResult(stance.placement.value_or(Placement{}));
   return scene;
@@ -149,6 +157,10 @@ std::map<std::string, TrueUnknown> listNoise(const RobotScene& scene, const Scen
   };
   add("encoder", scene.noise.encoder, "rad");
   add("pose", scene.noise.pose, "rad");
+  add("approach", scene.noise.approach, "rad");
+  if (!scene.set.instruments.places.empty()) {
+    add("contact", contactSigmaOf(scene), "m");
+  }
   if (!scene.set.cameras.empty()) {
     add("pixel", scene.noise.pixel, "px");
     add("grossShare", plan.grossShare, "1");
@@ -162,12 +174,30 @@ std::map<std::string, TrueUnknown> listNoise(const RobotScene& scene, const Scen
   return levels;
 }
 
+/// Distances between the true places as they are measured.
+std::vector<PlaceDistance> measureDistances(const RobotScene& scene, const CaptureSet& placed, std::uint64_t seed) {
+  RandomStream chance{seed, "distances"};
+  const auto pointOf = [&](const std::string& id) {
+    const auto& places = placed.instruments.places;
+    return *std::find_if(places.begin(), places.end(), [&](const ContactPlace& place) {
+              return place.id == id;
+            })->point;
+  };
+  std::vector<PlaceDistance> distances = scene.set.instruments.distances;
+  for (PlaceDistance& distance : distances) {
+    distance.metres =
+        (pointOf(distance.between[0]) - pointOf(distance.between[1])).norm() + chance.normal(distance.sigma);
+  }
+  return distances;
+}
+
 /// Takes poses one after the other and reads all instruments in them.
 class CaptureTaker {
 public:
   CaptureTaker(TrueRobot& robot, const RobotScene& scene, const ScenePlan& plan)
-      : robot_{robot}, scene_{scene}, plan_{plan}, motion_{plan.seed, "deflections"}, spoiler_{scene, plan},
-        last_{Eigen::VectorXd::Zero(eigenIndex(robot.robot().joints.size()))} {}
+      : robot_{robot}, scene_{scene}, plan_{plan}, motion_{plan.seed, "deflections"},
+        approaches_{plan.seed, "approaches"}, contacts_{plan.seed, "contacts"}, spoiler_{scene, plan},
+        touchPoses_{robot}, last_{Eigen::VectorXd::Zero(eigenIndex(robot.robot().joints.size()))} {}
 
   void takeRandomPoses() {
     for (std::size_t tries = 0; taken_ < plan_.poses; ++tries) {
@@ -195,64 +225,138 @@ public:
     }
   }
 
+  void takeTouches() {
+    const std::size_t wanted = plan_.given.empty() ? plan_.poses : plan_.given.size();
+    for (std::size_t i = 0; i < wanted; ++i) {
+      takeTouch(fmt::format("T{:02}", i), i % robot_.touches().size());
+    }
+  }
+
   std::vector<Capture> captures;
   std::vector<GrossCorner> gross;
 
 private:
-  /// `recorded`: what the encoders read without noise [rad]. Returns whether enough is seen; if not, takes nothing
-  /// unless `isGiven`.
+  /// Comes to a pose as often as its samples ask. `recorded`: what the encoders read without noise [rad]. Returns
+  /// whether enough is seen; if not, takes nothing unless `isGiven`.
   bool take(const std::string& name, const Eigen::VectorXd& recorded, const Eigen::VectorXd& approach, bool isGiven) {
-    Eigen::VectorXd deflection(recorded.size());
-    for (double& one : deflection) {
-      one = motion_.normal(scene_.noise.pose);
-    }
-    const Seconds time{10.0 * static_cast<double>(taken_)};
-    TrueRobot::Sight sight = robot_.look({recorded, approach, time, deflection});
+    const Eigen::VectorXd scatter = drawScatter(motion_, scene_.noise.pose);
+    TrueRobot::Pose pose{recorded, approach, clock_, scatter + drawScatter(approaches_, scene_.noise.approach)};
+    TrueRobot::Sight sight = robot_.look(pose);
     if (!sight.isEnough && !isGiven) {
       return false;
     }
-    for (int sample = 0; sample < plan_.samples; ++sample) {
-      const JointReadings readings = spoiler_.readJoints(robot_.robot(), recorded, approach);
-      for (Capture capture : sight.captures) {
-        if (capture.camera.empty() && capture.points.empty() && capture.frames.empty()) {
+    const bool isEnough = sight.isEnough;
+    const int samples = comesBack() ? 1 : plan_.samples;
+    record(name, 0, samples, pose, sight.captures);
+    for (int repeat = 1; comesBack() && repeat < plan_.samples; ++repeat) {
+      pose.time = clock_;
+      pose.deflection = scatter + drawScatter(approaches_, scene_.noise.approach);
+      record(name, repeat, 1, pose, robot_.look(pose).captures);
+    }
+    ++taken_;
+    return isEnough;
+  }
+
+  /// Touches a place, once at rest, else as often as the samples ask.
+  void takeTouch(const std::string& name, std::size_t touch) {
+    const Eigen::VectorXd scatter = drawScatter(motion_, scene_.noise.pose);
+    TrueRobot::Pose pose{last_, last_, clock_, scatter + drawScatter(approaches_, scene_.noise.approach)};
+    pose = touchPoses_.find(touch, pose, last_, drawMiss());
+    recordTouch(name, 0, pose, touch);
+    for (int repeat = 1; comesBack() && repeat < plan_.samples; ++repeat) {
+      pose.time = clock_;
+      pose.deflection = scatter + drawScatter(approaches_, scene_.noise.approach);
+      if (const auto again = touchPoses_.findNear(touch, pose, drawMiss())) { // absent at a limit of the joints
+        recordTouch(name, repeat, *again, touch);
+      }
+    }
+    ++taken_;
+  }
+
+  void recordTouch(const std::string& name, int repeat, const TrueRobot::Pose& pose, std::size_t touch) {
+    std::vector<Capture> seen = robot_.look(pose).captures;
+    seen.push_back(robot_.touches()[touch]);
+    record(name, repeat, 1, pose, seen);
+  }
+
+  /// Adds samples of one approach.
+  void record(const std::string& name, int firstRepeat, int samples, const TrueRobot::Pose& pose,
+              const std::vector<Capture>& seen) {
+    for (int sample = 0; sample < samples; ++sample) {
+      const JointReadings readings = spoiler_.readJoints(robot_.robot(), pose.recorded, pose.approach);
+      for (Capture capture : seen) {
+        if (capture.camera.empty() && capture.points.empty() && capture.frames.empty() && capture.contacts.empty()) {
           continue;
         }
         capture.id = static_cast<int>(captures.size());
         capture.pose = name;
-        capture.repeat = sample;
-        capture.time = time + Seconds{0.4 * sample};
+        capture.repeat = firstRepeat + sample;
+        capture.repeatKind = plan_.repeatKind;
+        capture.time = clock_ + Seconds{0.4 * sample};
         capture.joints = readings;
         spoiler_.spoil(capture, gross);
         captures.push_back(std::move(capture));
       }
     }
-    last_ = recorded;
-    ++taken_;
-    return sight.isEnough;
+    last_ = pose.recorded;
+    clock_ += Seconds{10};
+  }
+
+  bool comesBack() const { return plan_.repeatKind == RepeatKind::reapproach; }
+
+  /// One normal deflection per joint [rad].
+  Eigen::VectorXd drawScatter(RandomStream& chance, double sigma) const {
+    Eigen::VectorXd scatter(last_.size());
+    for (double& one : scatter) {
+      one = chance.normal(sigma);
+    }
+    return scatter;
+  }
+
+  /// By how much a touch misses its place [m].
+  Eigen::Vector3d drawMiss() {
+    const double sigma = contactSigmaOf(scene_);
+    const double x = contacts_.normal(sigma), y = contacts_.normal(sigma), z = contacts_.normal(sigma);
+    return {x, y, z};
   }
 
   TrueRobot& robot_;
   const RobotScene& scene_;
   const ScenePlan& plan_;
-  RandomStream motion_;
+  RandomStream motion_, approaches_, contacts_;
   ReadingSpoiler spoiler_;
+  TouchPoses touchPoses_;
   Eigen::VectorXd last_; // recorded in the pose before
+  Seconds clock_{0};
   std::size_t taken_ = 0;
 };
 
 } // namespace
 
 SceneSimulation simulateScene(const RobotScene& scene, const ScenePlan& plan) {
+  if (plan.repeatKind == RepeatKind::restand) {
+    throw InputError{"repeats: expected rest or reapproach, found restand: this robot is simulated where it stands and "
+                     "is not put down anew; choose one of the two, or simulate several sets with the same robot seed"};
+  }
   TrueRobot robot{scene, plan};
   SceneSimulation result{.set = scene.set, .truth = {}};
   result.set.bodyId = fmt::format("{}{}", syntheticIdPrefix, plan.robotSeed.value_or(plan.seed));
   result.set.headId = scene.set.urdf.empty() ? result.set.bodyId : "";
   CaptureTaker taker{robot, scene, plan};
-  if (plan.given.empty()) {
-    taker.takeRandomPoses();
-  } else {
-    taker.takeGivenPoses();
+  const bool hasSight = !scene.set.cameras.empty() || !scene.set.instruments.trackers.empty();
+  if (!plan.given.empty() && !hasSight) {
+    throw InputError{"expected a scene with cameras or trackers, to take given poses in, found places alone; give a "
+                     "number of poses, and the robot touches the places as often"};
   }
+  if (!plan.given.empty()) {
+    taker.takeGivenPoses();
+  } else if (hasSight) {
+    taker.takeRandomPoses();
+  }
+  if (!robot.touches().empty()) {
+    taker.takeTouches();
+  }
+  result.set.instruments.distances = measureDistances(scene, robot.set(), plan.sceneSeed.value_or(plan.seed));
   result.set.captures = std::move(taker.captures);
   result.truth.grossCorners = std::move(taker.gross);
   result.truth.seed = plan.seed;

@@ -18,11 +18,6 @@ namespace {
 
 constexpr std::size_t fewestCorners = 8; // of one board, in a pose that is kept
 
-bool standsOnSole(const CaptureSet& set) {
-  const Stance& stance = set.stances.front();
-  return !stance.supportLinks.empty() || stance.supportFoot != SupportFoot::none;
-}
-
 /// Draws where things truly stand: exactly where the scene places them, else about there.
 class SceneSetter {
 public:
@@ -49,8 +44,12 @@ public:
       frame.placement = draw("frames." + frame.id, frame.placement, Placement{}, false);
     }
     for (TrackedMarker& marker : placed.instruments.markers) {
-      marker.point = marker.point ? *marker.point : drawPoint(marker);
+      marker.point = marker.point ? *marker.point : drawPoint("markers." + marker.id, marker.pointGuess);
     }
+    for (ContactPlace& place : placed.instruments.places) {
+      place.point = place.point ? *place.point : drawPoint("places." + place.id, Eigen::Vector3d::Zero());
+    }
+    placed.instruments.distances.clear(); // they follow from the places
     Stance& stance = placed.stances.front();
     if (standsOnSole(scene_.set) && !stance.placement) {
       stance.placement = spread({}, true);
@@ -76,10 +75,10 @@ private:
     return placement;
   }
 
-  Eigen::Vector3d drawPoint(const TrackedMarker& marker) {
+  Eigen::Vector3d drawPoint(const std::string& name, const Eigen::Vector3d& guess) {
     const double shift = 0.01 * spread_; // [m]
-    const auto about = scene_.about.find("markers." + marker.id);
-    Eigen::Vector3d point = marker.pointGuess;
+    const auto about = scene_.about.find(name);
+    Eigen::Vector3d point = guess;
     if (about != scene_.about.end()) {
       point = {about->second.x, about->second.y, about->second.z};
     }
@@ -123,6 +122,20 @@ std::vector<Capture> listReadings(const CaptureSet& set) {
       for (const TrackedFrame& frame : instruments.frames) {
         tracked.frames.push_back({tracker.id, frame.id});
       }
+    }
+  }
+  return captures;
+}
+
+/// All touches that a robot can make: of every place by every marker.
+std::vector<Capture> listTouches(const CaptureSet& set) {
+  std::vector<Capture> captures;
+  for (const TrackedMarker& marker : set.instruments.markers) {
+    for (const ContactPlace& place : set.instruments.places) {
+      Capture& touch = captures.emplace_back();
+      touch.stance = set.stances.front().id;
+      touch.supportFoot = set.stances.front().supportFoot;
+      touch.contacts.push_back({marker.id, place.id});
     }
   }
   return captures;
@@ -179,9 +192,10 @@ std::string sufficientSight(const RobotScene& scene) {
 
 TrueRobot::TrueRobot(const RobotScene& scene, const ScenePlan& plan)
     : plan_{plan}, set_{SceneSetter{scene, plan}.set()}, robot_{loadRobot(set_)}, poses_{robot_, scene, plan.seed},
-      readings_{listReadings(set_)} {
-  if (readings_.empty()) {
-    throw InputError{fmt::format("{}: expected a scene with cameras or trackers, found neither", nameOfRobot())};
+      readings_{listReadings(set_)}, touches_{listTouches(set_)} {
+  if (readings_.empty() && touches_.empty()) {
+    throw InputError{
+        fmt::format("{}: expected a scene with cameras, trackers or places to touch, found neither", nameOfRobot())};
   }
   measureProbes();
   std::vector<std::string> with;
@@ -206,17 +220,42 @@ bool TrueRobot::isOnSole() const {
   return standsOnSole(set_);
 }
 
+/// The state of the true robot in a pose, when a picture of the template is taken.
+ModelState TrueRobot::stateAt(ImageObservation& picture, const Pose& pose) const {
+  const Eigen::Index joints = pose.recorded.size();
+  picture.instant.q = pose.recorded;
+  picture.instant.approach = pose.approach;
+  picture.instant.time = pose.time;
+  picture.nominal.values.head(joints) = pose.recorded;
+  ModelState state = predictState(measurements_, model_, picture, unknowns_);
+  state.values.head(joints) += pose.deflection;
+  return state;
+}
+
+Eigen::Vector3d TrueRobot::missAt(std::size_t touch, const Pose& pose) {
+  ImageObservation& picture = measurements_.pictures[templates_[readings_.size() + touch]];
+  const ModelState state = stateAt(picture, pose);
+  const WitnessObservation& contact = picture.witnesses.front();
+  const RigidTransform linkFromWorld =
+      contact.view->pathFrames(robot_, state, forwardKinematics(robot_, state)).opticalFromWorld;
+  return contact.witness->compare(linkFromWorld, state).residual.head<3>();
+}
+
+std::size_t TrueRobot::linkOfTouch(std::size_t touch) const {
+  const std::string& id = touches_[touch].contacts.front().marker;
+  const auto& markers = set_.instruments.markers;
+  const auto marker =
+      std::find_if(markers.begin(), markers.end(), [&](const TrackedMarker& one) { return one.id == id; });
+  const auto link =
+      std::find_if(robot_.links.begin(), robot_.links.end(), [&](const Link& one) { return one.name == marker->link; });
+  return static_cast<std::size_t>(link - robot_.links.begin());
+}
+
 TrueRobot::Sight TrueRobot::look(const Pose& pose) {
   Sight sight;
-  const Eigen::Index joints = pose.recorded.size();
   for (std::size_t i = 0; i < readings_.size(); ++i) {
     ImageObservation& picture = measurements_.pictures[templates_[i]];
-    picture.instant.q = pose.recorded;
-    picture.instant.approach = pose.approach;
-    picture.instant.time = pose.time;
-    picture.nominal.values.head(joints) = pose.recorded;
-    ModelState state = predictState(measurements_, model_, picture, unknowns_);
-    state.values.head(joints) += pose.deflection;
+    const ModelState state = stateAt(picture, pose);
     const LinkPoses torsoFromLink = forwardKinematics(robot_, state);
     Capture capture = readings_[i];
     if (picture.camera != ImageObservation::noCamera) {
@@ -282,6 +321,8 @@ std::vector<TrueEffect> TrueRobot::listEffects() const {
 void TrueRobot::measureProbes() {
   constexpr std::size_t probes = 16;
   CaptureSet probed = set_;
+  std::vector<Capture> readable = readings_;
+  readable.insert(readable.end(), touches_.begin(), touches_.end());
   std::size_t tries = 0;
   for (std::size_t probe = 0; probe < probes; ++probe) {
     std::optional<Eigen::VectorXd> angles;
@@ -293,7 +334,7 @@ void TrueRobot::measureProbes() {
                                    "none in {} draws; give `ranges` of joints in a scene",
                                    nameOfRobot(), poses_.sole() ? " and in balance" : "", tries)};
     }
-    for (Capture capture : readings_) {
+    for (Capture capture : readable) {
       capture.id = static_cast<int>(probed.captures.size());
       capture.pose = fmt::format("P{}", probe);
       capture.time = Seconds{10.0 * static_cast<double>(probe)};
@@ -305,7 +346,7 @@ void TrueRobot::measureProbes() {
     }
   }
   measurements_ = buildMeasurements({std::move(probed)}, robot_);
-  templates_.resize(readings_.size());
+  templates_.resize(readable.size());
   for (std::size_t picture = 0; picture < measurements_.pictures.size(); ++picture) {
     if (const std::size_t capture = measurements_.pictures[picture].capture; capture < templates_.size()) {
       templates_[capture] = picture;

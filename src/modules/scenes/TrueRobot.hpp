@@ -41,6 +41,15 @@ public:
   };
   Sight look(const Pose& pose);
 
+  /// Every marker can touch every place: captures with one contact each, without joints.
+  const std::vector<Capture>& touches() const { return touches_; }
+
+  /// How far the marker of a touch is from its place, in the world [m].
+  Eigen::Vector3d missAt(std::size_t touch, const Pose& pose);
+
+  /// The link that carries the marker of a touch.
+  std::size_t linkOfTouch(std::size_t touch) const;
+
   /// What the encoders would read where the true joints are so, but for effects other than offsets [rad].
   Eigen::VectorXd recordedAt(const Eigen::VectorXd& angles) const;
 
@@ -55,6 +64,7 @@ public:
 
 private:
   void measureProbes();
+  ModelState stateAt(ImageObservation& picture, const Pose& pose) const;
   std::string nameOfRobot() const;
   void requireSetUp(const std::string& flaw) const;
   double largestLoad(std::size_t joint, std::size_t about) const;
@@ -73,8 +83,9 @@ private:
   Robot robot_;
   ScenePoses poses_;
   std::vector<Capture> readings_;      // all that could be read in a pose, as zeros
+  std::vector<Capture> touches_;       // all touches that could be made
   Measurements measurements_;          // of a few poses
-  std::vector<std::size_t> templates_; // pictures that predict the readings, in their order
+  std::vector<std::size_t> templates_; // pictures that predict the readings, then the touches, in their order
   Model model_;
   Eigen::VectorXd unknowns_;
 };

@@ -39,6 +39,9 @@ Json sceneJson(const TrueScene& scene) {
   for (const auto& [id, point] : scene.markers) {
     lists["markers"][id] = {point.x(), point.y(), point.z()};
   }
+  for (const auto& [id, point] : scene.places) {
+    lists["places"][id] = {point.x(), point.y(), point.z()};
+  }
   return lists;
 }
 

@@ -49,6 +49,7 @@ struct GrossCorner {
 struct TrueScene {
   std::map<std::string, std::map<std::string, Placement>> placements; // by list ("boards", "trackers", ...) and id
   std::map<std::string, Eigen::Vector3d> markers;                     // pointInLink [m]
+  std::map<std::string, Eigen::Vector3d> places;                      // in the world of a result [m]
 };
 
 /// Ground truth of a simulated set; never part of the capture set.

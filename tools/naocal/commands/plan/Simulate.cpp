@@ -157,7 +157,8 @@ void addOptions(CLI::App& simulator, SimulateOptions& options) {
       ->capture_default_str();
   simulator
       .add_option("--scene", options.scene,
-                  "what measures a robot that is no NAO: cameras, boards, trackers, markers; default: what suits it")
+                  "what measures a robot that is no NAO: cameras, boards, trackers, markers, places to touch; default: "
+                  "what suits it")
       ->type_name("FILE");
   simulator.add_option("--support", options.support, "the foot it stands on")
       ->check(oneOf(std::vector<std::string>{"left", "right", "both"}))
@@ -307,6 +308,14 @@ std::size_t readingCount(const CaptureSet& set) {
   return count;
 }
 
+std::size_t touchCount(const CaptureSet& set) {
+  std::size_t count = 0;
+  for (const Capture& capture : set.captures) {
+    count += capture.contacts.size();
+  }
+  return count;
+}
+
 std::size_t poseCount(const CaptureSet& set) {
   std::set<std::string> poses;
   for (const Capture& capture : set.captures) {
@@ -333,7 +342,9 @@ RobotSimulation describeRobot(const SimulateOptions& options, bool hasPixelNoise
           .hasPixelNoise = hasPixelNoise,
           .pixelNoise = plan.corners.pixel,
           .poseNoise = radians(options.poseDegrees),
+          .approachNoise = radians(options.approachDegrees),
           .plan = {.samples = plan.samples,
+                   .repeatKind = kinds.at(options.repeatKind),
                    .offsetRange = radians(options.offsetDegrees),
                    .mountRange = radians(options.mountDegrees),
                    .mountShiftRange = options.mountMillimetres / 1000,
@@ -359,19 +370,20 @@ void simulateOtherRobot(const SimulateOptions& options, const CLI::App& simulato
   writeAtomically(truth, formatTruth(simulation.truth));
   removePictures(before, options.output);
   const std::size_t captures = simulation.set.captures.size(), corners = cornerCount(simulation.set),
-                    readings = readingCount(simulation.set);
+                    readings = readingCount(simulation.set), touches = touchCount(simulation.set);
   if (!options.json.empty()) {
     writeJson(withFormat("naocal-simulation", {{"set", options.output},
                                                {"truth", truth.string()},
                                                {"captures", captures},
                                                {"corners", corners},
                                                {"readings", readings},
+                                               {"touches", touches},
                                                {"seed", options.seed}}),
               options.json);
   }
   if (options.json != "-") {
-    printText("{}: {} captures of {} poses, {} corners, {} tracker readings\n", options.robot, captures,
-              poseCount(simulation.set), corners, readings);
+    printText("{}: {} captures of {} poses, {} corners, {} tracker readings{}\n", options.robot, captures,
+              poseCount(simulation.set), corners, readings, touches > 0 ? fmt::format(", {} touches", touches) : "");
     printText("self-collision: {} of {} links have a shape to collide with\n", simulation.shapedLinks,
               simulation.links);
     printText("set:   {}\ntruth: {}\n", options.output, truth.string());

@@ -15,11 +15,9 @@ namespace {
 
 constexpr const char* ofPictures = "pictures are rendered for NAOs only";
 constexpr NaoOption naoOptions[]{{"--boards", "a scene says which boards there are (--scene)"},
-                                 {"--repeat-kind", "other robots rest between the samples of a pose"},
                                  {"--hidden-flaw", "name the flaw of another robot with --flaw"},
                                  {"--surveyed", "a scene says what the set places (--scene)"},
                                  {"--displaced-board", "boards stay where they are before other robots"},
-                                 {"--approach-stiction-degrees", "other robots rest between the samples of a pose"},
                                  {"--images", ofPictures},
                                  {"--size", "a scene says how large pictures are (--scene)"},
                                  {"--blur", ofPictures},
@@ -76,6 +74,9 @@ SceneSimulation simulateRobot(RobotSimulation asked) {
   }
   if (asked.poseNoise > 0) {
     scene.noise.pose = asked.poseNoise;
+  }
+  if (asked.approachNoise > 0) {
+    scene.noise.approach = asked.approachNoise;
   }
   return simulateScene(scene, asked.plan);
 }

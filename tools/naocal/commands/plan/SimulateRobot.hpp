@@ -16,6 +16,7 @@ struct RobotSimulation {
   bool hasPixelNoise = false;               // whether `pixelNoise` replaces the scene's
   double pixelNoise = 0;                    // [px]
   double poseNoise = 0;                     // added to the scene's if it has none [rad]
+  double approachNoise = 0;                 // likewise, at every approach [rad]
   ScenePlan plan;                           // but for the poses
 };
 
