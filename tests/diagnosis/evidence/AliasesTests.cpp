@@ -1,4 +1,4 @@
-#include "Questioned.hpp"
+#include "diagnosis/Questioned.hpp"
 #include "diagnosis/evidence/Aliasing.hpp"
 #include "estimation/Model.hpp"
 #include "estimation/ModelBuilder.hpp"

@@ -1,4 +1,4 @@
-#include "Questioned.hpp"
+#include "diagnosis/Questioned.hpp"
 #include "diagnosis/views/AddedVariable.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-#include "PerfectBut.hpp"
+#include "diagnosis/PerfectBut.hpp"
 #include "diagnosis/views/EffectSignature.hpp"
 
 #include <catch2/catch.hpp>

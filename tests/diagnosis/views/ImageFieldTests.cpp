@@ -1,4 +1,4 @@
-#include "Questioned.hpp"
+#include "diagnosis/Questioned.hpp"
 #include "diagnosis/views/BoardShape.hpp"
 #include "diagnosis/views/ImageField.hpp"
 #include "estimation/ModelBuilder.hpp"

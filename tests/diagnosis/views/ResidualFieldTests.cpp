@@ -1,4 +1,4 @@
-#include "PerfectBut.hpp"
+#include "diagnosis/PerfectBut.hpp"
 #include "diagnosis/views/ResidualField.hpp"
 #include "diagnosis/views/SingleJointCorrection.hpp"
 #include "estimation/ModelBuilder.hpp"

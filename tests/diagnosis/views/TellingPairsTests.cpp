@@ -1,7 +1,7 @@
 #include "diagnosis/views/TellingPairs.hpp"
 
-#include "PerfectBut.hpp"
-#include "Questioned.hpp"
+#include "diagnosis/PerfectBut.hpp"
+#include "diagnosis/Questioned.hpp"
 #include "estimation/CandidateTerms.hpp"
 #include "estimation/ModelBuilder.hpp"
 #include "inference/DriverBasis.hpp"
