@@ -136,23 +136,6 @@ TEST_CASE("scatter of a robot that takes every pose once is no unknown effect", 
   CHECK(diagnosis.scatter == Approx(0.001).epsilon(0.25));
 }
 
-TEST_CASE("a large link error is named beside scatter where every pose was taken once", "[slow]") {
-  // Proves that an effect whose fit still moves between noise levels does not count that move twice, which made it and
-  // many small effects likelier than scatter.
-  const TemporaryFolder folder;
-  const RobotScene scene = wristIn(folder, R"("noise": {"pose": 0.0007},
-    "cameras": {"eye": {"link": "hand", "axes": "forward", "width": 640, "height": 480, "fx": 600, "fy": 600, "cx": 320,
-                        "cy": 240, "distortion": [0, 0, 0, 0, 0]}},
-    "boards": [{"id": "plate", "link": "world", "dictionary": "DICT_4X4_100", "squaresX": 7, "squaresY": 5,
-                "squareLength": 0.05, "markerLength": 0.035, "about": {"x": 1.2, "z": 0.2, "pitch": -1.57}}])");
-  const ScenePlan plan{.poses = 24, .samples = 1, .offsetRange = 0.1, .flaws = {"linkGeometry@elbow"}, .seed = 2};
-  const Diagnosis diagnosis = diagnoseSet(simulateScene(scene, plan).set);
-  CAPTURE(diagnosis.sentence);
-  CHECK(diagnosis.verdict == Verdict::effectMissing);
-  CHECK(diagnosis.suggested == plan.flaws);
-  CHECK(diagnosis.scatter == Approx(0.0007).epsilon(0.3));
-}
-
 TEST_CASE("a reversed joint is named where the zero before it, half a turn off, fits as well", "[slow]") {
   // Proves that a model that fits the captures is doubted where an offset is that of no robot (the search of this seed
   // ends there; others end in a gross misfit), and that both causes are
