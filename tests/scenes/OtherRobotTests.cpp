@@ -1,5 +1,5 @@
 #include "diagnosis/Diagnosis.hpp"
-#include "diagnosis/SetUps.hpp"
+#include "diagnosis/anomalies/SetUps.hpp"
 #include "io/Files.hpp"
 #include "robot/RobotOfSet.hpp"
 #include "scenes/SceneSimulation.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "calibration/Calibration.hpp"
-#include "diagnosis/Events.hpp"
+#include "diagnosis/anomalies/Events.hpp"
 #include "diagnosis/evidence/CandidateTests.hpp"
 #include "diagnosis/evidence/LackOfFit.hpp"
 #include "diagnosis/views/AddedVariable.hpp"

@@ -2,7 +2,7 @@
 
 #include "calibration/Fit.hpp"
 #include "calibration/ModelUncertainty.hpp"
-#include "diagnosis/SetUps.hpp"
+#include "diagnosis/anomalies/SetUps.hpp"
 #include "diagnosis/evidence/Aliasing.hpp"
 #include "diagnosis/evidence/Power.hpp"
 #include "estimation/CandidateTerms.hpp"

@@ -1,6 +1,6 @@
 #include "scenes/SceneSimulation.hpp"
 
-#include "diagnosis/SetUps.hpp"
+#include "diagnosis/anomalies/SetUps.hpp"
 #include "io/InputError.hpp"
 #include "math/LinearAlgebra.hpp"
 #include "measurements/Noise.hpp"

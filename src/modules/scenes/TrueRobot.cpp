@@ -1,6 +1,6 @@
 #include "scenes/TrueRobot.hpp"
 
-#include "diagnosis/SetUps.hpp"
+#include "diagnosis/anomalies/SetUps.hpp"
 #include "estimation/DriverState.hpp"
 #include "io/InputError.hpp"
 #include "math/LinearAlgebra.hpp"
@@ -157,10 +157,6 @@ Flaw parseFlaw(const std::string& text) {
     }
   }
   return {text, {}};
-}
-
-bool isSetUp(const std::string& flaw) {
-  return flaw.starts_with(reversedJoint) || flaw.starts_with(countSlip);
 }
 
 /// Whether an unknown can have one sign only: a spring is soft, a gear has play.

@@ -5,7 +5,7 @@
 #include "calibration/result/ResultFile.hpp"
 #include "diagnosis/DiagnosisFile.hpp"
 #include "diagnosis/Session.hpp"
-#include "diagnosis/SetUps.hpp"
+#include "diagnosis/anomalies/SetUps.hpp"
 #include "effects/UserEffect.hpp"
 #include "estimation/CandidateTerms.hpp"
 #include "estimation/ModelBuilder.hpp"
@@ -153,10 +153,7 @@ void AnalysisSession::enter(Session session) {
 
 std::vector<std::string> AnalysisSession::terms() const {
   const ModelRevision& rung = session_.current();
-  std::vector<std::string> labels =
-      termLabels(buildModel(*mended_.measurements, mended_.effects, rung.without, effects(rung)));
-  labels.insert(labels.end(), mended_.setUps.begin(), mended_.setUps.end());
-  return labels;
+  return termLabels(mended_, rung.without, effects(rung));
 }
 
 void AnalysisSession::add(const std::string& label) {

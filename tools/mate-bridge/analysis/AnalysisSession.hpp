@@ -2,7 +2,7 @@
 
 #include "analysis/Dataset.hpp"
 
-#include "diagnosis/MendedMeasurements.hpp"
+#include "diagnosis/anomalies/MendedMeasurements.hpp"
 #include "poses/NextPoses.hpp"
 
 #include <functional>

@@ -5,7 +5,7 @@
 
 #include "calibration/Prediction.hpp"
 #include "command-line/OptionChecks.hpp"
-#include "diagnosis/SetUps.hpp"
+#include "diagnosis/anomalies/SetUps.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>

@@ -9,7 +9,7 @@
 #include "diagnosis/DiagnosisFile.hpp"
 #include "diagnosis/FoldErrors.hpp"
 #include "diagnosis/OwnEffect.hpp"
-#include "diagnosis/SetUps.hpp"
+#include "diagnosis/anomalies/SetUps.hpp"
 #include "estimation/ModelFile.hpp"
 #include "io/InputError.hpp"
 #include "poses/PoseFile.hpp"

@@ -4,8 +4,8 @@
 #include "console/print/PrintDiagnosis.hpp"
 #include "console/print/PrintText.hpp"
 #include "diagnosis/Diagnosis.hpp"
-#include "diagnosis/MendedMeasurements.hpp"
 #include "diagnosis/Session.hpp"
+#include "diagnosis/anomalies/MendedMeasurements.hpp"
 #include "estimation/ModelBuilder.hpp"
 #include "estimation/ModelFile.hpp"
 #include "io/InputError.hpp"
@@ -120,10 +120,7 @@ ModelRevision ExploreLoop::questioned(ModelRevision rung) {
 /// Labels of the current model's terms and of the set-ups that it mends.
 std::vector<std::string> ExploreLoop::terms() const {
   const ModelRevision& rung = session_.current();
-  std::vector<std::string> labels =
-      termLabels(buildModel(*mended_.measurements, mended_.effects, rung.without, effects(rung)));
-  labels.insert(labels.end(), mended_.setUps.begin(), mended_.setUps.end());
-  return labels;
+  return termLabels(mended_, rung.without, effects(rung));
 }
 
 /// Fits the session's current model, then makes the session current; strong exception guarantee.

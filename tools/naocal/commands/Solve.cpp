@@ -6,7 +6,7 @@
 
 #include "calibration/Calibration.hpp"
 #include "command-line/OptionChecks.hpp"
-#include "diagnosis/SetUps.hpp"
+#include "diagnosis/anomalies/SetUps.hpp"
 #include "dialects/ModelCalibration.hpp"
 #include "estimation/ModelBuilder.hpp"
 #include "estimation/ModelFile.hpp"

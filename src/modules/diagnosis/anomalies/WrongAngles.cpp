@@ -1,4 +1,4 @@
-#include "diagnosis/WrongAngles.hpp"
+#include "diagnosis/anomalies/WrongAngles.hpp"
 
 #include "calibration/ReadingErrors.hpp"
 #include "measurements/Measurements.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "diagnosis/Events.hpp"
+#include "diagnosis/anomalies/Events.hpp"
 #include "diagnosis/evidence/CandidateTests.hpp"
 
 #include <optional>

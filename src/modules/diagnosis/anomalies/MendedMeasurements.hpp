@@ -1,5 +1,6 @@
 #pragma once
 
+#include "effects/Catalogue.hpp"
 #include "measurements/Measurements.hpp"
 
 #include <memory>
@@ -18,5 +19,9 @@ struct MendedMeasurements {
 /// InputError for set-ups that these captures cannot have.
 MendedMeasurements mendMeasurements(const std::shared_ptr<const Measurements>& given,
                                     const std::vector<std::string>& with);
+
+/// Labels of a model's terms (`termLabels`), and of the set-ups that it mends.
+std::vector<std::string> termLabels(const MendedMeasurements& mended, const std::vector<std::string>& without,
+                                    const std::vector<Effect>& effects);
 
 } // namespace naocal

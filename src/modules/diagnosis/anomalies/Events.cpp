@@ -1,4 +1,4 @@
-#include "diagnosis/Events.hpp"
+#include "diagnosis/anomalies/Events.hpp"
 
 #include "calibration/Fit.hpp"
 #include "estimation/EffectJacobian.hpp"

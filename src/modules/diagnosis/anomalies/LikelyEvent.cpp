@@ -1,8 +1,8 @@
-#include "diagnosis/LikelyEvent.hpp"
+#include "diagnosis/anomalies/LikelyEvent.hpp"
 
-#include "diagnosis/Events.hpp"
 #include "diagnosis/StepwiseSelection.hpp"
-#include "diagnosis/WrongAngles.hpp"
+#include "diagnosis/anomalies/Events.hpp"
+#include "diagnosis/anomalies/WrongAngles.hpp"
 #include "inference/NoiseLevels.hpp"
 #include "inference/ScoreTest.hpp"
 #include "inference/Thresholds.hpp"

@@ -13,6 +13,9 @@ namespace naocal {
 /// Labels of wrong set-ups that can be mended, up to the joint's name.
 inline constexpr char reversedJoint[] = "reversedJoint@", countSlip[] = "countSlip@";
 
+/// Whether a label names a wrong set-up that can be mended.
+bool isSetUp(const std::string& label);
+
 /// Takes the labels of wrong set-ups out of `with` and mends the sets accordingly: the angles of a reversed joint
 /// change their sign; the zero of a joint whose count slipped is shifted by the whole motor turns (`slipSteps`) that a
 /// first fit finds. Returns these labels. Throws InputError for a joint that the sets do not have.

@@ -1,4 +1,4 @@
-#include "diagnosis/SetUps.hpp"
+#include "diagnosis/anomalies/SetUps.hpp"
 
 #include "calibration/Fit.hpp"
 #include "effects/Catalogue.hpp"
@@ -284,12 +284,15 @@ long slippedTurns(const std::vector<CaptureSet>& sets, const Robot& robot, const
 
 } // namespace
 
+bool isSetUp(const std::string& label) {
+  return label.starts_with(reversedJoint) || label.starts_with(countSlip);
+}
+
 std::vector<std::string> mendSetUps(std::vector<std::string>& with, const Robot& robot, std::vector<CaptureSet>& sets) {
   std::vector<std::string> rest, mended;
   for (const std::string& label : with) {
     const std::string joint = label.substr(std::min(label.find('@'), label.size() - 1) + 1);
-    const bool isReversed = label.starts_with(reversedJoint), isSlipped = label.starts_with(countSlip);
-    if (!isReversed && !isSlipped) {
+    if (!isSetUp(label)) {
       rest.push_back(label);
       continue;
     }
@@ -298,7 +301,7 @@ std::vector<std::string> mendSetUps(std::vector<std::string>& with, const Robot&
       throw InputError{fmt::format("'{}' names no joint of these captures; near it are {}", label,
                                    fmt::join(closestNames(joint, names), ", "))};
     }
-    if (isReversed) {
+    if (label.starts_with(reversedJoint)) {
       sets = mirrorJoint(std::move(sets), joint);
     } else if (const double step = slipStepOf(sets, joint); step > 0) {
       shiftJoint(sets, joint, -step * static_cast<double>(slippedTurns(sets, robot, joint)));

@@ -1,7 +1,7 @@
-#include "diagnosis/DataChecks.hpp"
+#include "diagnosis/anomalies/DataChecks.hpp"
 
-#include "diagnosis/LikelyEvent.hpp"
-#include "diagnosis/SetUps.hpp"
+#include "diagnosis/anomalies/LikelyEvent.hpp"
+#include "diagnosis/anomalies/SetUps.hpp"
 #include "effects/Catalogue.hpp"
 #include "estimation/ModelBuilder.hpp"
 #include "inference/Thresholds.hpp"

@@ -1,0 +1,31 @@
+#include "diagnosis/anomalies/MendedMeasurements.hpp"
+
+#include "diagnosis/Session.hpp"
+#include "diagnosis/anomalies/SetUps.hpp"
+#include "estimation/ModelBuilder.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace naocal {
+
+MendedMeasurements mendMeasurements(const std::shared_ptr<const Measurements>& given,
+                                    const std::vector<std::string>& with) {
+  MendedMeasurements result{given, with, {}};
+  if (std::any_of(with.begin(), with.end(), isSetUp)) {
+    std::vector<CaptureSet> sets = *given->sets;
+    result.setUps = mendSetUps(result.effects, given->robot, sets);
+    result.measurements =
+        std::make_shared<const Measurements>(buildMeasurements(std::move(sets), given->robot, given->samePlace));
+  }
+  return result;
+}
+
+std::vector<std::string> termLabels(const MendedMeasurements& mended, const std::vector<std::string>& without,
+                                    const std::vector<Effect>& effects) {
+  std::vector<std::string> labels = termLabels(buildModel(*mended.measurements, mended.effects, without, effects));
+  labels.insert(labels.end(), mended.setUps.begin(), mended.setUps.end());
+  return labels;
+}
+
+} // namespace naocal
