@@ -50,9 +50,15 @@ private:
   Production<TestPicture> picture_{*this, "picture"};
 };
 
-/// A robot with one thread, sockets and a log. The test triggers the thread's cycles.
+/// A robot with one thread, sockets and a log. The test triggers the thread's cycles. Clients may be silent for an
+/// hour, as a test on a slow machine may make them, unless the test asks for other limits.
 struct ShownRobot {
   explicit ShownRobot(SocketSettings wanted = {}) : settings{std::move(wanted)} {
+    const ClientLimits shipped;
+    for (auto [limit, usual] :
+         {std::pair{&settings.firstMessage, shipped.firstMessage}, {&settings.rest, shipped.rest}}) {
+      *limit = *limit == usual ? std::chrono::hours{1} : *limit;
+    }
     settings.debugPort = settings.configPort = 0;
     settings.unixFolder = robot.folder.path() / "sockets";
     robot.file("default/head/default/Counter.json", R"({"factor": 0.5, "list": [1, 2]})");
