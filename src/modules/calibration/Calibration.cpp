@@ -83,9 +83,11 @@ NoiseConsistentFit fitWithNoise(const Measurements& measurements, const Model& m
       answer.fit = fitFurther(measurements, model, options, answer.levels.noise, std::move(answer.fit));
     }
   }
-  const std::optional<RepeatInfo> repeats = answer.source != NoiseSource::configured
-                                                ? std::optional{countRepeatedRests(measurements, answer.source)}
-                                                : std::nullopt;
+  std::optional<RepeatInfo> repeats;
+  if (answer.source == NoiseSource::repeats ||
+      (answer.source == NoiseSource::withinPictures && options.scatterWithoutRepeats)) {
+    repeats = countRepeatedRests(measurements, answer.source);
+  }
   if (options.testMissingEffects) {
     answer.explained = analyseMissingEffects(measurements, model, answer.fit, answer.levels.noise, repeats, options);
     answer.levels = answer.explained->levels;

@@ -154,7 +154,7 @@ public:
     }
     const WideModel wide{measurements_, own, putInFront(effects, candidates_), pointOf(fit), false};
     return estimateNoiseLevels(wide.problem(), noise, *repeats_,
-                               [&](const Noise& level) { return findLeastCost(wide, level); });
+                               [&](const Noise& level) { return costExplanations(wide, level); });
   }
   /// Fit accurate enough to linearise at.
   Fit refineNearly(const Model& model, const Noise& noise, Fit from) const {

@@ -41,7 +41,8 @@ bool isUnknown(const CandidateTests& candidateTests, std::optional<std::size_t> 
 }
 
 /// Whether a named effect elsewhere has so much evidence (more than twice the field's) that the field may be its
-/// consequence, or can wait until the effect is added.
+/// consequence, or moves corners so far that it is no consequence of the field. The field then waits until the effect
+/// is added.
 bool explains(const CandidateTests& candidateTests, std::optional<std::size_t> candidate, const ImageField& field) {
   if (!candidate) {
     return false;
@@ -49,7 +50,9 @@ bool explains(const CandidateTests& candidateTests, std::optional<std::size_t> c
   const Term& term = candidateTests.candidates()[*candidate];
   const PlaceKind of = field.of == ImageField::Of::camera ? PlaceKind::camera : PlaceKind::board;
   const bool samePlace = term.effect.placeKind == of && term.placeIndex == field.at;
-  return !samePlace && candidateTests.candidateEvidence(*candidate).bayes > 2 * field.fit.bayes;
+  const GroupEvidence& evidence = candidateTests.candidateEvidence(*candidate);
+  return !samePlace &&
+         (evidence.bayes > 2 * field.fit.bayes || evidence.movedPx > threshold::fieldBias * field.fit.rmsPx);
 }
 
 /// The field, unless it is the weak remainder of a field already explained. `most`: largest evidence of all fields so
@@ -321,6 +324,38 @@ Diagnosis diagnoseWithoutSpoiled(const Measurements& measurements, const Model& 
   return result;
 }
 
+/// Whether the scatter of a diagnosis was estimated from poses that were taken once each. It may then stand for several
+/// effects, or for one false capture.
+bool assumesScatter(const Diagnosis& diagnosis) {
+  return diagnosis.lastFit.noise.pose > 0 && diagnosis.lastFit.noiseSource != "repeats";
+}
+
+/// Held-out error with the effects of the catalogue [px].
+std::optional<double> heldOutError(const Diagnosis& diagnosis) {
+  return diagnosis.steps[diagnosis.steps.size() - (diagnosis.own ? 2 : 1)].heldOutPx;
+}
+
+/// Whether effects predict unseen poses better than the scatter of the other diagnosis lets any model do, or clearly
+/// better than the effects that the other found.
+bool refutesScatter(const Diagnosis& exact, const Diagnosis& scattered) {
+  const std::optional<double> error = heldOutError(exact), other = heldOutError(scattered);
+  return error && other &&
+         (*error < threshold::refutedScatter * scattered.lackOfFit.noiseFloorPx ||
+          *error < threshold::betterPrediction * *other);
+}
+
+/// Diagnoses without scatter, too, where no pose is repeated: prediction decides between the two.
+Diagnosis diagnoseScatter(const Measurements& measurements, const Model& asked, const DiagnosisOptions& options) {
+  Diagnosis scattered = diagnoseWithoutSpoiled(measurements, asked, options);
+  if (!assumesScatter(scattered) || (options.shouldContinue && !options.shouldContinue())) {
+    return scattered;
+  }
+  DiagnosisOptions rigid = options;
+  rigid.calibration.scatterWithoutRepeats = false;
+  Diagnosis exact = diagnoseWithoutSpoiled(measurements, asked, rigid);
+  return refutesScatter(exact, scattered) ? exact : scattered;
+}
+
 } // namespace
 
 Diagnosis diagnose(const Measurements& measurements, const DiagnosisOptions& options) {
@@ -328,7 +363,7 @@ Diagnosis diagnose(const Measurements& measurements, const DiagnosisOptions& opt
   const Model asked = buildModel(measurements, options.with, options.without, options.effects);
   Diagnosis result;
   try {
-    result = diagnoseWithoutSpoiled(measurements, asked, options);
+    result = diagnoseScatter(measurements, asked, options);
   } catch (const InputError& error) {
     if (measurements.cornerCount == 0) {
       throw;

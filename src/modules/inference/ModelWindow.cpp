@@ -78,6 +78,11 @@ public:
     return result;
   }
   double misfitOf(const WindowModel& model) const { return std::max(1.0, model.chi2 / model.freedom); }
+  /// Cost of the effects with nonzero sizes at the linearisation point, relative to it, without what another size of
+  /// theirs would gain.
+  double costAsFitted() { return fromFitToZero_ + model(fitted_).cost + computeRefitGain(); }
+  /// Increase of -2 ln likelihood of the model alone from the linearisation point to zero coefficients.
+  double fromFitToZero() const { return fromFitToZero_; }
 
 private:
   /// Posterior precision of the members' sizes, in units of what is plausible: information + 1 / width^2.
@@ -185,7 +190,7 @@ private:
   }
   /// Moves the linearisation to zero coefficients of all candidates.
   void moveToZero(const Eigen::VectorXd& sizes) {
-    chi2OfNone_ = misfit_.chi2;
+    scoreAtFit_ = score_;
     for (std::size_t group = 0; group < problem_.named; ++group) {
       const ColumnGroup& columns = problem_.groups[group];
       const Eigen::VectorXd own = sizes.segment(columns.first, columns.count);
@@ -194,11 +199,25 @@ private:
       }
       const Eigen::VectorXd scaled = own.cwiseQuotient(problem_.plausible.segment(columns.first, columns.count));
       const Eigen::VectorXd pull = informationWith({group, columns.count}) * scaled;
-      chi2OfNone_ += 2 * score_.segment(columns.first, columns.count).dot(scaled) +
-                     scaled.dot(pull.segment(columns.first, columns.count));
+      fromFitToZero_ += 2 * score_.segment(columns.first, columns.count).dot(scaled) +
+                        scaled.dot(pull.segment(columns.first, columns.count));
       score_ += pull;
       alone0_ += answers_.middleCols(columns.first, columns.count) * scaled;
+      fitted_.push_back({group, columns.count});
     }
+    chi2OfNone_ = misfit_.chi2 + fromFitToZero_;
+  }
+  /// Decrease of -2 ln posterior from the fitted sizes to the best ones at this noise level.
+  double computeRefitGain() {
+    if (fitted_.empty()) {
+      return 0;
+    }
+    const std::vector<Eigen::Index> columns = columnsOf(fitted_);
+    WindowModel widest{.members = fitted_};
+    widest.widths.assign(fitted_.size(), std::max(plausibleWidths[0].width, plausibleWidths[1].width));
+    const Eigen::MatrixXd precision = posteriorPrecision(widest, informationOf(fitted_, eigenIndex(columns.size())));
+    const Eigen::VectorXd score = scoreAtFit_(columns);
+    return score.dot(precision.ldlt().solve(score));
   }
   void countGroups() {
     named_ = std::max<double>(1, static_cast<double>(problem_.named));
@@ -224,9 +243,10 @@ private:
   NullModel alone_;
   ScoreTest tests_;
   PoseMisfit misfit_;
-  Eigen::VectorXd score_, alone0_, variances_;
+  Eigen::VectorXd score_, scoreAtFit_, alone0_, variances_;
   Eigen::MatrixXd answers_; // response of the own unknowns to a unit of each column, sign reversed
-  double chi2OfNone_ = 0, named_ = 1, curves_ = 1;
+  Members fitted_;
+  double fromFitToZero_ = 0, chi2OfNone_ = 0, named_ = 1, curves_ = 1;
   std::map<std::size_t, Eigen::MatrixXd> known_;
 };
 
@@ -313,9 +333,9 @@ std::vector<WindowModel> findNeighbours(Window& window, const WindowModel& best)
 
 } // namespace
 
-double findLeastCost(const WideModel& wide, const Noise& noise) {
+ExplanationCosts costExplanations(const WideModel& wide, const Noise& noise) {
   Window window{wide, noise, 0};
-  return findLikeliest(window).cost;
+  return {window.costAsFitted(), window.fromFitToZero() + findLikeliest(window).cost};
 }
 
 ModelWindow searchModelWindow(const WideModel& wide, const Noise& noise, std::size_t expected) {

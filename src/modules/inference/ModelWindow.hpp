@@ -51,8 +51,14 @@ struct ModelWindow {
   /// model's value.
   std::array<double, 2> interval(Eigen::Index unknown) const;
 };
-/// Cost of the likeliest model found by the search, at most 0: `SparseCost`.
-double findLeastCost(const WideModel& wide, const Noise& noise);
+
+/// Costs of two explanations at one noise level, as `WindowModel::cost` but relative to -2 ln likelihood at the
+/// linearisation point, which holds the fitted effects at their fitted sizes.
+struct ExplanationCosts {
+  double fitted = 0;    // the effects with sizes at the linearisation point, at these sizes; 0 without any
+  double likeliest = 0; // the likeliest model found by the search
+};
+ExplanationCosts costExplanations(const WideModel& wide, const Noise& noise);
 
 /// Searches the window at one noise level. `expected`: as above. Models have at most four members.
 ModelWindow searchModelWindow(const WideModel& wide, const Noise& noise, std::size_t expected = 0);

@@ -62,7 +62,7 @@ double computeDeviance(const Candidates& all, double kappa) {
 }
 
 /// D(level) of the widest model (`estimateNoiseLevels`).
-double wideDeviance(const ScoreProblem& problem, const Noise& noise, const SparseCost& sparse = {}) {
+double wideDeviance(const ScoreProblem& problem, const Noise& noise, const SparseCosts& sparse = {}) {
   constexpr std::array kappas{0.1, 0.2, 0.4, 0.7, 1.0, 1.5, 2.5};
   const PoseResiduals measured = measuredResiduals(*problem.poses);
   const NullModel alone{problem, noise};
@@ -74,9 +74,13 @@ double wideDeviance(const ScoreProblem& problem, const Noise& noise, const Spars
   const Candidates all{plausible.cwiseProduct(tests.projectedScores(measured, outcome.own).col(0).head(count)),
                        plausible.asDiagonal() * tests.information().topLeftCorner(count, count) *
                            plausible.asDiagonal()};
-  double least = sparse ? sparse(noise) : 0;
+  double least = 0;
   for (const double kappa : kappas) {
     least = std::min(least, computeDeviance(all, kappa));
+  }
+  if (sparse) {
+    const ExplanationCosts costs = sparse(noise);
+    least = std::min(costs.fitted + least, costs.likeliest);
   }
   return outcome.deviance[0] + least;
 }
@@ -86,7 +90,7 @@ struct LevelCurve {
   std::vector<double> levels, deviances;
 
   LevelCurve(const ScoreProblem& problem, const Noise& noise, double Noise::*level, bool penalised,
-             SparseCost sparse = {})
+             SparseCosts sparse = {})
       : sparse_{std::move(sparse)} {
     add(problem, noise, level, penalised,
         {0, radians(0.01), radians(0.02), radians(0.03), radians(0.045), radians(0.065), radians(0.09), radians(0.12),
@@ -153,7 +157,7 @@ private:
     }
   }
 
-  SparseCost sparse_;
+  SparseCosts sparse_;
 };
 
 } // namespace
@@ -164,7 +168,7 @@ double poseNoisePenalty(double level) {
 }
 
 NoiseLevels estimateNoiseLevels(const ScoreProblem& wide, const Noise& noise, const RepeatInfo& repeated,
-                                const SparseCost& sparse) {
+                                const SparseCosts& sparse) {
   const EffectsOnly effects{wide};
   const ScoreProblem& problem = effects.problem();
   NoiseLevels result{noise, {}};
@@ -180,7 +184,7 @@ NoiseLevels estimateNoiseLevels(const ScoreProblem& wide, const Noise& noise, co
   }
   result.noise.reapproach = within.reapproach;
   result.noise.stance = within.stance;
-  const LevelCurve curve{problem, result.noise, &Noise::pose, true, repeated.none ? sparse : SparseCost{}};
+  const LevelCurve curve{problem, result.noise, &Noise::pose, true, repeated.none ? sparse : SparseCosts{}};
   result.noise.pose = curve.peak();
   const std::vector<double> weights = curve.weights();
   for (std::size_t i = 0; i < weights.size(); ++i) {

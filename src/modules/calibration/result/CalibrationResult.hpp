@@ -20,6 +20,8 @@ struct CalibrationOptions {
   Noise noise;               // assumed where the captures do not determine it
   bool pixelGiven = false;   // `noise.pixel` is user-supplied: kept unless repeats determine it
   bool estimateNoise = true; // estimates joint noise from repeats, where present
+  /// Estimates joint scatter also where no pose was repeated. If false, it stays as in `noise` there.
+  bool scatterWithoutRepeats = true;
   /// Tests for missing effects: noise levels from the widest model, offsets averaged over possible explanations, and
   /// the evidence. If false, noise levels assume a complete model.
   bool testMissingEffects = true;
