@@ -1,7 +1,7 @@
-// Proves binned means and number formats on cases calculated by hand. Requires only Node.js.
+// Proves binned means and formats on cases calculated by hand. Requires only Node.js.
 import assert from "node:assert/strict";
 import {binnedMeans, mean, quantile, rms, trendStrength} from "../../src/modules/report/web/lib/statistics.js";
-import {detectableWords, sizeWords, stateName, withError} from "../../src/modules/report/web/lib/format.js";
+import {capitalized, detectableWords, sizeWords, stateName, withError} from "../../src/modules/report/web/lib/format.js";
 
 const near = (found, expected) => assert.ok(Math.abs(found - expected) < 1e-12, found + " is not " + expected);
 
@@ -45,3 +45,10 @@ assert.equal(detectableWords(size), "0.13°/Nm");
 assert.deepEqual(["present", "aliased", "trivial", "absent", "inconclusive", "absorbed", "no-data"].map(stateName),
   ["needed", "could explain", "too small to matter", "ruled out", "undecided", "not testable here", "no data"]);
 console.log("all held");
+
+// Sentences begin with a capital; names of joints, links and effects stay as they are.
+assert.equal(capitalized("it moves"), "It moves");
+assert.equal(capitalized("a joint's zero"), "A joint's zero");
+for (const name of ["elbow_joint's zero", "HeadYaw", "radialDistortion@wrist is missing", "joint5", ""]) {
+  assert.equal(capitalized(name), name);
+}

@@ -1,7 +1,7 @@
 // The panel: views, tabs, keys, messages of the bridge.
 import "./core/theme.js";
 import {at, button, element, empty} from "naocal/lib/dom.js";
-import {waitingWords} from "naocal/lib/format.js";
+import {capitalized, waitingWords} from "naocal/lib/format.js";
 import {showLearn} from "./analysis/candidates.js";
 import {showCompare} from "./analysis/compare.js";
 import {showMap} from "./analysis/residual-views.js";
@@ -185,7 +185,7 @@ on("opened", () => { // other captures were opened
   go("compare");
 });
 on("refused", ({sentence}) => { if (sentence !== state.missing?.sentence) notice(sentence); });
-on("moved", ({sentence}) => say(sentence.charAt(0).toUpperCase() + sentence.slice(1) + "."));
+on("moved", ({sentence}) => say(capitalized(sentence) + "."));
 on("history", message => {
   const isKnown = JSON.stringify(message) === JSON.stringify(state.history);
   state.history = message;

@@ -1,6 +1,6 @@
 // The selected candidate: its effect, the verdict, and every view of one candidate.
 import {button, element} from "naocal/lib/dom.js";
-import {chance, detectableWords, percent, short, sizeWords, stateName, stateWords, withUnit} from "naocal/lib/format.js";
+import {capitalized, chance, detectableWords, percent, short, sizeWords, stateName, stateWords, withUnit} from "naocal/lib/format.js";
 import {views} from "naocal/views/views.js";
 import {act, state} from "../core/state.js";
 
@@ -32,4 +32,4 @@ export function candidateDetail(candidate, questions) {
   return parts;
 }
 
-const sentenceOf = text => text.charAt(0).toUpperCase() + text.slice(1) + ".";
+const sentenceOf = text => capitalized(text) + ".";

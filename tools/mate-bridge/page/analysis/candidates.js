@@ -1,6 +1,6 @@
 // Learn view: all candidates with their evidence.
 import {button, csv, download, element, empty} from "naocal/lib/dom.js";
-import {short, sizeWords, waitingWords} from "naocal/lib/format.js";
+import {capitalized, short, sizeWords, waitingWords} from "naocal/lib/format.js";
 import {brokenLabel, candidateTable, columns, ofState, stateButtons, stateChip} from "naocal/plots/candidate-table.js";
 import {views} from "naocal/views/views.js";
 import {candidateDetail} from "./candidate-detail.js";
@@ -35,7 +35,7 @@ const inWords = candidates => candidates.filter(({state}) => state === "present"
 function verdict(questions) {
   const {headline, sentence} = questions, stem = headline.replace(/\.$/, "");
   const rest = sentence.startsWith(stem) ? sentence.slice(stem.length).replace(/^[\s:,;.]+/, "") : sentence; // drops the repeated headline
-  return element("div", {class: "verdict " + questions.verdict}, element("h1", {}, headline), element("p", {}, rest.charAt(0).toUpperCase() + rest.slice(1)));
+  return element("div", {class: "verdict " + questions.verdict}, element("h1", {}, headline), element("p", {}, capitalized(rest)));
 }
 
 function table(chosen, candidates, looked, again) {

@@ -1,11 +1,12 @@
 // Asks where captures are that a document or a run names and that were not found.
 import {button, element} from "naocal/lib/dom.js";
+import {capitalized} from "naocal/lib/format.js";
 import {act, state} from "../core/state.js";
 
 let typed = "";
 
 // The bridge's clause as a sentence, without the advice for the terminal.
-const asSentence = clause => clause.charAt(0).toUpperCase() + clause.slice(1).replace("; say where with --look-in FOLDER", "") + ".";
+const asSentence = clause => capitalized(clause).replace("; say where with --look-in FOLDER", "") + ".";
 
 // The question; null if nothing is missing. `done` redraws.
 export function missingCaptures(done) {

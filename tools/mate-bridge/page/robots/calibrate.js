@@ -1,5 +1,6 @@
 // Calibrate view: calibration kind, upcoming poses, progress, live pictures, outcome, undo.
 import {button, element, empty, renew} from "naocal/lib/dom.js";
+import {capitalized} from "naocal/lib/format.js";
 import {on, send} from "../core/connection.js";
 import {act, endNotice, notice, of, valueOf} from "../core/state.js";
 import {want} from "../core/subscriptions.js";
@@ -125,7 +126,7 @@ function next() {
 function progress(state, player) {
   const bar = element("progress", {max: "1", "aria-label": "progress of this round"});
   bar.value = state.poses ? state.pose / state.poses : running(state.phase) ? 0 : 1;
-  return [element("h2", {}, state.phase.charAt(0).toUpperCase() + state.phase.slice(1)),
+  return [element("h2", {}, capitalized(state.phase)),
     state.question ? "" : element("p", {class: state.phase === "failed" ? "bad" : "", role: "status"}, state.sentence || "Ready."),
     state.phase === "idle" ? "" : element("div", {class: "progress"}, bar, element("span", {class: "number"}, state.poses ? "pose " + state.pose + " of " + state.poses : ""),
       element("span", {class: "number"}, state.captures + " pictures"), element("span", {class: "number"}, state.secondsLeft === null ? "" : "about " + Math.ceil(state.secondsLeft) + " s left")),

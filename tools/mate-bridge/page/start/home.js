@@ -1,5 +1,6 @@
 // Start page: recent files, files to drop, a sample and a simulated robot to try, robots on the network, boards to print.
 import {button, choice, element, renew} from "naocal/lib/dom.js";
+import {capitalized} from "naocal/lib/format.js";
 import {chooseCommand} from "../command-runner.js";
 import {act, state} from "../core/state.js";
 import {showRobot, simulateRobot} from "../robots/robots.js";
@@ -47,7 +48,7 @@ function opening(told) {
 
 function recent(told) {
   if (!told) return [];
-  const note = told.problem ? [element("p", {class: "bad"}, told.problem.charAt(0).toUpperCase() + told.problem.slice(1) + ".")] : [];
+  const note = told.problem ? [element("p", {class: "bad"}, capitalized(told.problem) + ".")] : [];
   if (!told.recent.length) return note;
   return [element("h3", {}, "Recent"), element("ul", {class: "recent"}, ...told.recent.map(one => element("li", {},
     element("span", {}, button(one.name + (one.paths.length > 1 ? " and " + (one.paths.length - 1) + " more" : ""), () => act({do: "open", paths: one.paths}), {class: "plain", title: one.paths.join("\n")}),

@@ -2,7 +2,7 @@
 import {element} from "naocal/lib/dom.js";
 import {colours} from "naocal/lib/figure.js";
 import {ticks} from "naocal/lib/axes.js";
-import {number, percent, withError} from "naocal/lib/format.js";
+import {capitalized, number, percent, withError} from "naocal/lib/format.js";
 import {extent} from "naocal/lib/statistics.js";
 
 /** @import {EstimateGroup} from "naocal/lib/types.js" */
@@ -14,7 +14,7 @@ function axisOf({rows}) {
 }
 
 /** Title of a group: "Joint offset [°]". @param {EstimateGroup} group */
-export const titleOf = ({title, unit}) => title.charAt(0).toUpperCase() + title.slice(1) + (unit ? " [" + unit + "]" : "");
+export const titleOf = ({title, unit}) => capitalized(title) + (unit ? " [" + unit + "]" : "");
 
 /** One row per estimate, then the axis. @param {EstimateGroup} group */
 export function estimates(group) {
