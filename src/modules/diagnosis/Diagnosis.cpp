@@ -324,10 +324,11 @@ Diagnosis diagnoseWithoutSpoiled(const Measurements& measurements, const Model& 
   return result;
 }
 
-/// Whether the scatter of a diagnosis was estimated from poses that were taken once each. It may then stand for several
-/// effects, or for one false capture.
-bool assumesScatter(const Diagnosis& diagnosis) {
-  return diagnosis.lastFit.noise.pose > 0 && diagnosis.lastFit.noiseSource != "repeats";
+/// Whether the scatter of a diagnosis was estimated from few poses that were taken once each. It may then stand for
+/// several effects, or for one false capture.
+bool assumesScatter(const Diagnosis& diagnosis, const Measurements& measurements) {
+  return diagnosis.lastFit.noise.pose > 0 && diagnosis.lastFit.noiseSource != "repeats" &&
+         measurements.poses.size() < threshold::fewPoses;
 }
 
 /// Held-out error with the effects of the catalogue [px].
@@ -347,7 +348,7 @@ bool refutesScatter(const Diagnosis& exact, const Diagnosis& scattered) {
 /// Diagnoses without scatter, too, where no pose is repeated: prediction decides between the two.
 Diagnosis diagnoseScatter(const Measurements& measurements, const Model& asked, const DiagnosisOptions& options) {
   Diagnosis scattered = diagnoseWithoutSpoiled(measurements, asked, options);
-  if (!assumesScatter(scattered) || (options.shouldContinue && !options.shouldContinue())) {
+  if (!assumesScatter(scattered, measurements) || (options.shouldContinue && !options.shouldContinue())) {
     return scattered;
   }
   DiagnosisOptions rigid = options;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 /// All decision thresholds of inference and diagnosis: unit, what lies beyond, and how each was chosen.
 ///
@@ -64,6 +65,8 @@ inline constexpr double bearableMisfit = 1.5; // the same with suspected missing
 inline constexpr double implausible = 3;      // size of an effect in prior sigmas, beyond which it is implausible
 inline constexpr double negligiblePx =
     0.1; // [px]; a tenth of a millimetre at arm's length, the accuracy of lenses, detectors and printers
+inline constexpr std::size_t fewPoses = 128; // with fewer, one bad pose or several effects may pass for scatter;
+                                             // beyond, a pose at ten times the scatter still stands out by seven
 inline constexpr double manyCorners = 1.0 / 20; // share of doubted corners above which the model is at fault
 inline constexpr double undetermined = 10; // standard error in prior sigmas above which an estimate is undetermined
 

@@ -23,7 +23,6 @@ namespace {
 /// Noise levels to try: those of the fit and, with few poses, lower scatter, since a single bad pose inflates the
 /// scatter of all. Where the noise of readings was estimated, lower levels of all noise: what moved inflates it.
 std::vector<Noise> lowerLevels(const Noise& noise, const Measurements& measurements) {
-  constexpr std::size_t few = 128; // above, one at ten times their scatter still stands out by seven
   std::vector<Noise> result{noise};
   const auto add = [&](double ofScatter, double ofReadings) {
     Noise& less = result.emplace_back(noise);
@@ -31,7 +30,7 @@ std::vector<Noise> lowerLevels(const Noise& noise, const Measurements& measureme
     less.reapproach *= ofScatter;
     less.pixel *= ofReadings; // all sums are in its units
   };
-  if (noise.pose + noise.reapproach > 0 && measurements.poses.size() < few) {
+  if (noise.pose + noise.reapproach > 0 && measurements.poses.size() < threshold::fewPoses) {
     for (const double part : {0.0, 0.25, 0.5}) {
       add(part, 1);
     }
