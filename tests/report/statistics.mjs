@@ -44,7 +44,6 @@ assert.equal(sizeWords({...size, told: false}), "k undetermined");
 assert.equal(detectableWords(size), "0.13°/Nm");
 assert.deepEqual(["present", "aliased", "trivial", "absent", "inconclusive", "absorbed", "no-data"].map(stateName),
   ["needed", "could explain", "too small to matter", "ruled out", "undecided", "not testable here", "no data"]);
-console.log("all held");
 
 // Sentences begin with a capital; names of joints, links and effects stay as they are.
 assert.equal(capitalized("it moves"), "It moves");
@@ -52,3 +51,4 @@ assert.equal(capitalized("a joint's zero"), "A joint's zero");
 for (const name of ["elbow_joint's zero", "HeadYaw", "radialDistortion@wrist is missing", "joint5", ""]) {
   assert.equal(capitalized(name), name);
 }
+console.log("all held");

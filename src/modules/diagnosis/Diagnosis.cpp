@@ -354,7 +354,7 @@ Diagnosis diagnoseScatter(const Measurements& measurements, const Model& asked, 
   DiagnosisOptions rigid = options;
   rigid.calibration.scatterWithoutRepeats = false;
   Diagnosis exact = diagnoseWithoutSpoiled(measurements, asked, rigid);
-  return refutesScatter(exact, scattered) ? exact : scattered;
+  return refutesScatter(exact, scattered) ? std::move(exact) : std::move(scattered);
 }
 
 } // namespace

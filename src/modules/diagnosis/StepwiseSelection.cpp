@@ -437,8 +437,8 @@ void StepwiseSelection::markEquivalent(const Term& chosen, const Term& other) {
 void StepwiseSelection::compareLimits(const Term& chosen) {
   for (const Term& other : candidates_) {
     const std::vector<std::string>& known = findingOf(chosen).equivalent;
-    if (findingOf(other).state == CandidateState::noData || other.placeIndex != chosen.placeIndex ||
-        other.effect.placeKind != chosen.effect.placeKind ||
+    if (other.placeIndex != chosen.placeIndex || other.effect.placeKind != chosen.effect.placeKind ||
+        findingOf(other).state == CandidateState::noData ||
         std::find(known.begin(), known.end(), other.label()) != known.end()) {
       continue;
     }

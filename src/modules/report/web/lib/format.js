@@ -51,10 +51,10 @@ export const chance = p => p < 0.001 ? "p < 0.001" : "p = " + Number(p.toPrecisi
 export const direction = (x, y) =>
   px(Math.abs(x)) + (x < 0 ? " to the left, " : " to the right, ") + px(Math.abs(y)) + (y < 0 ? " up" : " down");
 
-// Candidate states by their key in files and style sheets: display name and explanation.
 /** The text with a capital, unless it begins with a name: "elbow_joint", "HeadYaw". @param {string} text */
 export const capitalized = text => /^[a-z]+(?![\w@])/.test(text) ? text.charAt(0).toUpperCase() + text.slice(1) : text;
 
+// Candidate states by their key in files and style sheets: display name and explanation.
 /** @type {Record<string, {name: string, words: string}>} */
 const states = {
   "present": {name: "needed", words: "the misfit needs it"},
