@@ -53,6 +53,7 @@ inline constexpr double misfit = 1.6; // chi2 / freedom between poses that noise
 inline double mostMisfit(double freedom) {
   return std::max(misfit, 1 + 3 * std::sqrt(2 / std::max(1.0, freedom)));
 }
+inline constexpr double bearableMisfit = 1.5; // the same with suspected missing effects; below it offsets are usable
 inline constexpr double refutedScatter =
     0.7; // share of the noise floor; a smaller held-out error refutes the scatter that raises the floor. Where joints
          // did scatter, it was at least 0.84, in 48 simulated sets of 14 or 24 poses
@@ -61,12 +62,11 @@ inline constexpr double betterPrediction = 0.8; // held-out error without scatte
 inline constexpr double fieldBias = 3; // ratio of the corners' displacement by an effect to a field's rms, beyond which
                                        // the effect is no consequence of the field. Where there was only a field it was
                                        // at most 2.0 in 23 of 24 simulated sets; hidden effects: 3.6 to 33
-inline constexpr double bearableMisfit = 1.5; // the same with suspected missing effects; below it offsets are usable
-inline constexpr double implausible = 3;      // size of an effect in prior sigmas, beyond which it is implausible
+inline constexpr double implausible = 3; // size of an effect in prior sigmas, beyond which it is implausible
 inline constexpr double negligiblePx =
     0.1; // [px]; a tenth of a millimetre at arm's length, the accuracy of lenses, detectors and printers
-inline constexpr std::size_t fewPoses = 128; // with fewer, one bad pose or several effects may pass for scatter;
-                                             // beyond, a pose at ten times the scatter still stands out by seven
+inline constexpr std::size_t fewPoses = 128;    // with fewer, one bad pose or several effects may pass for scatter;
+                                                // beyond, a pose at ten times the scatter still stands out by seven
 inline constexpr double manyCorners = 1.0 / 20; // share of doubted corners above which the model is at fault
 inline constexpr double undetermined = 10; // standard error in prior sigmas above which an estimate is undetermined
 
