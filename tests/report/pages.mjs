@@ -3,7 +3,7 @@
 // Usage: node pages.mjs NAOCAL NODE_MODULES; skipped (77) without Chromium or npm's packages
 import {spawnSync} from "node:child_process";
 import {join} from "node:path";
-import {tools, check, happens, folder, quietPage, end} from "../mate-bridge/browser.mjs";
+import {tools, check, happens, folder, quietPage, end} from "../mate-bridge/page/browser.mjs";
 
 const [, , naocal, modules] = process.argv;
 const {launch} = tools(modules), here = folder();

@@ -76,7 +76,7 @@ check(meaning.startsWith(await term.getAttribute("data-term") + ": "), "a term u
 await page.mouse.move(2, 2);
 await term.focus();
 check(await tip.isVisible() && await tip.innerText() === meaning, "so does one with the focus");
-const glossary = readFileSync(new URL("../../docs/glossary.md", import.meta.url), "utf8").replace(/\[([^\]]*)\]\([^)]*\)/g, "$1").replaceAll("`", "");
+const glossary = readFileSync(new URL("../../../docs/glossary.md", import.meta.url), "utf8").replace(/\[([^\]]*)\]\([^)]*\)/g, "$1").replaceAll("`", "");
 check(glossary.includes(meaning.replace(/^[^:]*: |\.$/g, "")), "in the words of the glossary");
 check(await page.locator("#view dfn").evaluateAll(all => new Set(all.map(one => one.dataset.term)).size === all.length), "once in a view");
 await page.keyboard.press("Escape");
