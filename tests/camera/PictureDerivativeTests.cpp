@@ -27,7 +27,7 @@ struct Scenery {
     BoardCorners seen{"A", {0, 3, 5, 9, 14, 18, 23}, std::vector<Eigen::Vector2d>(7, Eigen::Vector2d::Zero())};
     corners = packCorners(board, seen);
     const bool inWorld = link == "floor";
-    view.emplace(robot, quantities, 0, *robot.linkIndex(inWorld ? "LSole" : link), inWorld, 1);
+    view.emplace(robot, quantities, 0, ChainTarget{*robot.linkIndex(inWorld ? "LSole" : link), inWorld, 1});
     modelState.boardScale(1) = 0.01;
     modelState.boardBow(1) = 0.004;
     placeBefore(1.1);
@@ -37,7 +37,7 @@ struct Scenery {
   void placeBefore(double distance) {
     modelState.boardPlacement(1).setZero();
     const LinkPoses torsoFromLink = forwardKinematics(robot, modelState);
-    const CameraFrames attitude = view->cameraFrames(robot, modelState, torsoFromLink);
+    const CameraFrames attitude = view->cameraFrames({robot, modelState, torsoFromLink});
     const RigidTransform opticalFromParent =
         attitude.opticalFromBoard; // at zero placement, the board's frame equals its parent's
     const RigidTransform wanted{rotationX(2.4) * rotationZ(0.5), {-0.2, 0.1, distance}};
@@ -50,7 +50,7 @@ struct Scenery {
   /// u and v of all seven corners.
   Eigen::VectorXd predicted(const ModelState& at) const {
     ProjectedBlocks projected;
-    const CameraFrames attitude = view->cameraFrames(robot, at, forwardKinematics(robot, at));
+    const CameraFrames attitude = view->cameraFrames({robot, at, forwardKinematics(robot, at)});
     REQUIRE(view->project(attitude, at, corners, projected));
     Eigen::VectorXd uv(14);
     for (Eigen::Index i = 0; i < 7; ++i) {
@@ -63,7 +63,7 @@ struct Scenery {
   /// Analytic derivative with respect to one quantity.
   Eigen::VectorXd derivative(std::size_t quantity) const {
     const LinkPoses torsoFromLink = forwardKinematics(robot, modelState);
-    const CameraFrames attitude = view->cameraFrames(robot, modelState, torsoFromLink);
+    const CameraFrames attitude = view->cameraFrames({robot, modelState, torsoFromLink});
     ProjectedBlocks projected;
     view->project(attitude, modelState, corners, projected);
     std::vector<std::size_t> extras;
@@ -71,7 +71,7 @@ struct Scenery {
       extras.push_back(*extra);
     }
     Eigen::MatrixXd motion(static_cast<Eigen::Index>(6 + extras.size()), 1);
-    view->fillMotionColumns(robot, attitude, modelState, torsoFromLink, {quantity}, extras, motion);
+    view->fillMotionColumns({robot, modelState, torsoFromLink}, attitude, {quantity}, extras, motion);
     Eigen::VectorXd result(14);
     for (Eigen::Index i = 0; i < 7; ++i) {
       const ProjectedBlock& seen = projected[static_cast<std::size_t>(i / 4)];
@@ -81,11 +81,10 @@ struct Scenery {
         dv += seen.rowsV[k][i % 4] * motion(k, 0);
       }
       if (!extras.empty()) {
-        Double4 extraU, extraV;
-        ObservationChain::fillExtraRows(extras[0], attitude, modelState, corners[static_cast<std::size_t>(i / 4)], seen,
-                                        extraU, extraV);
-        du += extraU[i % 4] * motion(6, 0);
-        dv += extraV[i % 4] * motion(6, 0);
+        const CornerShift shift = ObservationChain::shiftByExtra(extras[0], attitude, modelState,
+                                                                 corners[static_cast<std::size_t>(i / 4)], seen);
+        du += shift.u[i % 4] * motion(6, 0);
+        dv += shift.v[i % 4] * motion(6, 0);
       }
       result[2 * i] = du;
       result[2 * i + 1] = dv;
@@ -138,8 +137,8 @@ TEST_CASE("a corner behind the camera is nowhere in the picture") {
   Scenery scenery{"floor", 4};
   scenery.placeBefore(-0.5);
   ProjectedBlocks projected;
-  const CameraFrames attitude = scenery.view->cameraFrames(scenery.robot, scenery.modelState,
-                                                           forwardKinematics(scenery.robot, scenery.modelState));
+  const CameraFrames attitude = scenery.view->cameraFrames(
+      {scenery.robot, scenery.modelState, forwardKinematics(scenery.robot, scenery.modelState)});
   CHECK_FALSE(scenery.view->project(attitude, scenery.modelState, scenery.corners, projected));
 }
 
@@ -156,8 +155,8 @@ TEST_CASE("a row that is exposed later sees the joints where they are by then") 
     block.v += 40; // measured rows differ from predicted ones
   }
   const LinkPoses torsoFromLink = forwardKinematics(scenery.robot, scenery.modelState);
-  CameraFrames attitude = scenery.view->cameraFrames(scenery.robot, scenery.modelState, torsoFromLink);
-  scenery.view->setDrift(scenery.robot, scenery.modelState, torsoFromLink, velocity, attitude);
+  CameraFrames attitude = scenery.view->cameraFrames({scenery.robot, scenery.modelState, torsoFromLink});
+  scenery.view->setDrift({scenery.robot, scenery.modelState, torsoFromLink}, velocity, attitude);
   ModelState rolling = scenery.modelState;
   rolling.rowTime() = rowTime;
   ProjectedBlocks late, still;
@@ -171,10 +170,9 @@ TEST_CASE("a row that is exposed later sees the joints where they are by then") 
     CHECK(late[block].u[i % 4] == Approx(expected[2 * i]).epsilon(0).margin(1e-5));
     CHECK(late[block].v[i % 4] == Approx(expected[2 * i + 1]).epsilon(0).margin(1e-5));
     CHECK(std::abs(late[block].u[i % 4] - still[block].u[i % 4]) > 1e-3);
-    Double4 du, dv;
-    ObservationChain::fillExtraRows(rowTimeExtra, attitude, scenery.modelState, scenery.corners[block], still[block],
-                                    du, dv);
-    CHECK(still[block].u[i % 4] + rowTime * du[i % 4] == Approx(expected[2 * i]).epsilon(0).margin(1e-4));
+    const CornerShift shift = ObservationChain::shiftByExtra(rowTimeExtra, attitude, scenery.modelState,
+                                                             scenery.corners[block], still[block]);
+    CHECK(still[block].u[i % 4] + rowTime * shift.u[i % 4] == Approx(expected[2 * i]).epsilon(0).margin(1e-4));
   }
 }
 

@@ -176,7 +176,7 @@ void BoardAlignment::add(const Seen& seen, const Eigen::VectorXd& unknowns, Line
   const ModelState modelState = predictState(measurements_, model_, *seen.picture, unknowns);
   LinkPoses torsoFromLink;
   forwardKinematics(measurements_.robot, modelState, view.links(), torsoFromLink);
-  const CameraFrames attitude = view.cameraFrames(measurements_.robot, modelState, torsoFromLink);
+  const CameraFrames attitude = view.cameraFrames({measurements_.robot, modelState, torsoFromLink});
   const RigidTransform& chain = attitude.opticalFromBoard;
   const Eigen::Vector3d middle = chain * seen.middle, middleSeen = seen.opticalFromBoard * seen.middle;
   Eigen::Matrix<double, 6, 1> residual;
@@ -194,7 +194,7 @@ void BoardAlignment::add(const Seen& seen, const Eigen::VectorXd& unknowns, Line
     }
   }
   Eigen::MatrixXd columns(eigenIndex(6 + extras.size()), eigenIndex(quantities.size()));
-  view.fillMotionColumns(measurements_.robot, attitude, modelState, torsoFromLink, quantities, extras, columns);
+  view.fillMotionColumns({measurements_.robot, modelState, torsoFromLink}, attitude, quantities, extras, columns);
   Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(6, unknowns.size());
   for (std::size_t i = 0; i < seen.slopes.size(); ++i) {
     const Eigen::Vector3d omega = columns.col(eigenIndex(i)).head<3>(), v = columns.col(eigenIndex(i)).segment<3>(3);
@@ -256,7 +256,7 @@ OnFloor soleFromBoard(const Measurements& measurements, const ModelState& modelS
                       const BoardObservation& observation) {
   LinkPoses torsoFromLink;
   forwardKinematics(measurements.robot, modelState, observation.view.links(), torsoFromLink);
-  const CameraFrames attitude = observation.view.cameraFrames(measurements.robot, modelState, torsoFromLink);
+  const CameraFrames attitude = observation.view.cameraFrames({measurements.robot, modelState, torsoFromLink});
   const RigidTransform soleFromOptical = attitude.opticalFromTarget.inverse();
   if (const auto opticalFromBoard = estimateBoardPose(observation.corners, modelState.lens())) {
     const RigidTransform pose = soleFromOptical * *opticalFromBoard;

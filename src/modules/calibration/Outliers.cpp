@@ -84,12 +84,15 @@ namespace {
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
-/// Computes statistic and distance of one observation. `deflections` [rad]: of its pose, where `motion` was summed.
-void test(BoardDisplacement& move, const BoardMotionSums& motion, const PoseSystem& pose, const MarginalSystem& part,
-          const JointErrorRoot& root, const Eigen::VectorXd& deflections, double pixelNoise,
-          const Eigen::LLT<Eigen::MatrixXd>& hessian) {
+/// The statistic of one observation's motion and its distance. `hessian`: of the fit, decomposed.
+BoardDisplacement testMotion(const BoardMotionSums& motion, const Fit& fit,
+                             const Eigen::LLT<Eigen::MatrixXd>& hessian) {
+  const PoseSystem& pose = fit.minimum.linear.poses[motion.pose];
+  const MarginalSystem& part = fit.minimum.linear.eliminated[motion.pose];
+  const JointErrorRoot root = jointErrorRoot(pose, fit.noise);
+  const Eigen::VectorXd deflections = root * fit.minimum.state.deflections[motion.pose]; // [rad]
   const auto unknowns = static_cast<Eigen::Index>(pose.unknowns.size()), joints = deflections.size();
-  const double information = 1 / (pixelNoise * pixelNoise);
+  const double information = 1 / (fit.noise.pixel * fit.noise.pixel);
   const Eigen::MatrixXd byDeflections = motion.cross.rightCols(joints);
   Vector6 score = information * (motion.gradient - byDeflections * deflections);
   Matrix6 kept = information * motion.gram;
@@ -111,24 +114,21 @@ void test(BoardDisplacement& move, const BoardMotionSums& motion, const PoseSyst
   constexpr double absorbed = 1e-6; // share of its information that a motion keeps when the fit absorbs it; regularises
   kept.diagonal() += absorbed * information * motion.gram.diagonal();
   const Vector6 best = kept.ldlt().solve(score);
+  BoardDisplacement move{motion.picture, motion.observation};
   move.chi2 = score.dot(best);
   move.distance = std::sqrt(best.dot(motion.gram * best));
+  return move;
 }
 
 } // namespace
 
 std::vector<BoardDisplacement> testDisplacements(const Measurements& measurements, const Model& model, const Fit& fit) {
   const Residuals residuals{measurements, model, fit.noise, fit.loss};
-  const Residuals::Linear& linear = fit.minimum.linear;
-  const Eigen::LLT<Eigen::MatrixXd> hessian{linear.hessian};
+  const Eigen::LLT<Eigen::MatrixXd> hessian{fit.minimum.linear.hessian};
   std::vector<BoardDisplacement> result;
   const auto motions = residuals.boardMotions(fit.minimum.state);
   for (const BoardMotionSums& motion : motions.value()) {
-    const PoseSystem& pose = linear.poses[motion.pose];
-    const JointErrorRoot root = jointErrorRoot(pose, fit.noise);
-    test(result.emplace_back(BoardDisplacement{motion.picture, motion.observation}), motion, pose,
-         linear.eliminated[motion.pose], root, root * fit.minimum.state.deflections[motion.pose], fit.noise.pixel,
-         hessian);
+    result.push_back(testMotion(motion, fit, hessian));
     result.back().distance /= std::sqrt(
         static_cast<double>(measurements.pictures[motion.picture].observations[motion.observation].ids.size()));
   }

@@ -74,7 +74,7 @@ std::optional<double> predictErrorIn(const ImageObservation& picture, const Fitt
   const ModelState modelState = stateAt2m(picture, view, fitted);
   LinkPoses torsoFromLink;
   forwardKinematics(fitted.measurements.robot, modelState, view.links(), torsoFromLink);
-  const CameraFrames attitude = view.cameraFrames(fitted.measurements.robot, modelState, torsoFromLink);
+  const CameraFrames attitude = view.cameraFrames({fitted.measurements.robot, modelState, torsoFromLink});
   if (attitude.opticalFromBoard.translation.z() < 0.1) {
     return std::nullopt;
   }
@@ -84,7 +84,7 @@ std::optional<double> predictErrorIn(const ImageObservation& picture, const Fitt
     quantities.push_back(slope.quantity);
   }
   Eigen::MatrixXd columns(6, eigenIndex(quantities.size()));
-  view.fillMotionColumns(fitted.measurements.robot, attitude, modelState, torsoFromLink, quantities, {}, columns);
+  view.fillMotionColumns({fitted.measurements.robot, modelState, torsoFromLink}, attitude, quantities, {}, columns);
   Eigen::MatrixXd slip = Eigen::MatrixXd::Zero(2, fitted.fit.unknowns.size());
   for (std::size_t i = 0; i < slopes.size(); ++i) {
     slip.col(eigenIndex(slopes[i].unknown)) += slopes[i].value * shiftOnFloor(attitude, columns.col(eigenIndex(i)));

@@ -9,11 +9,6 @@ namespace naocal {
 
 namespace {
 
-/// Displacement of four corners in the picture per unit of an extra [px].
-struct CornerShift {
-  Double4 u{}, v{};
-};
-
 /// Shift by an entry of the lens, in the order of `ModelState::lens`.
 CornerShift shiftByLens(std::size_t entry, const Eigen::Matrix<double, 9, 1>& lens, const ProjectedBlock& projected) {
   const double fx = lens[0], fy = lens[1];
@@ -72,26 +67,24 @@ CornerShift shiftByBoard(std::size_t extra, const Eigen::Matrix3d& r, const Corn
 } // namespace
 
 ObservationChain::ObservationChain(const Robot& robot, const StateLayout& quantities, std::size_t camera,
-                                   std::size_t targetLink, bool inWorld, std::size_t board,
-                                   std::optional<std::size_t> support)
-    : ObservationChain{
-          robot,   quantities, std::optional{camera}, support.value_or(robot.cameras[camera].link), targetLink,
-          inWorld, board} {}
+                                   const ChainTarget& target, std::optional<std::size_t> support)
+    : ObservationChain{robot, quantities, std::optional{camera}, support.value_or(robot.cameras[camera].link), target} {
+}
 
 ObservationChain ObservationChain::betweenLinks(const Robot& robot, const StateLayout& quantities, std::size_t eyeLink,
                                                 std::size_t sole) {
-  return {robot, quantities, std::nullopt, eyeLink, sole, true, 0};
+  return {robot, quantities, std::nullopt, eyeLink, {.link = sole, .inWorld = true, .board = 0}};
 }
 
 ObservationChain::ObservationChain(const Robot& robot, const StateLayout& quantities, std::optional<std::size_t> camera,
-                                   std::size_t eyeLink, std::size_t targetLink, bool inWorld, std::size_t board)
-    : quantities_{quantities}, camera_{camera}, eye_{eyeLink}, target_{targetLink}, board_{board}, inWorld_{inWorld},
-      eyeInWorld_{camera && robot.cameras[*camera].inWorld}, side_(robot.links.size(), 0) {
-  links_ = ancestorLinks(robot, {eyeLink, targetLink});
+                                   std::size_t eyeLink, const ChainTarget& target)
+    : quantities_{quantities}, camera_{camera}, eye_{eyeLink},
+      eyeInWorld_{camera && robot.cameras[*camera].inWorld}, target_{target}, side_(robot.links.size(), 0) {
+  links_ = ancestorLinks(robot, {eyeLink, target.link});
   for (std::optional<std::size_t> link = eyeLink; link; link = robot.links[*link].parent) {
     side_[*link] -= 1;
   }
-  for (std::optional<std::size_t> link = targetLink; link; link = robot.links[*link].parent) {
+  for (std::optional<std::size_t> link = target.link; link; link = robot.links[*link].parent) {
     side_[*link] += 1; // links that carry both cancel
   }
   for (std::size_t link : links_) {
@@ -101,26 +94,26 @@ ObservationChain::ObservationChain(const Robot& robot, const StateLayout& quanti
   }
 }
 
-CameraFrames ObservationChain::pathFrames(const Robot& robot, const ModelState& modelState,
-                                          const LinkPoses& torsoFromLink) const {
+CameraFrames ObservationChain::pathFrames(const PosedRobot& posed) const {
+  const auto& [robot, modelState, torsoFromLink] = posed;
   const RigidTransform linkFromEye = camera_ ? linkFromOptical(robot.cameras[*camera_], modelState) : RigidTransform{};
   CameraFrames result;
   if (eyeInWorld_) {
     result.opticalFromWorld = linkFromEye.inverse();
     result.opticalFromTorso =
         result.opticalFromWorld * transformFromPlacement(modelState.worldFromSupport()) * torsoFromLink[eye_].inverse();
-    result.opticalFromTarget = result.opticalFromTorso * torsoFromLink[target_];
+    result.opticalFromTarget = result.opticalFromTorso * torsoFromLink[target_.link];
     return result;
   }
   result.opticalFromTorso = (torsoFromLink[eye_] * linkFromEye).inverse();
-  result.opticalFromTarget = result.opticalFromTorso * torsoFromLink[target_];
+  result.opticalFromTarget = result.opticalFromTorso * torsoFromLink[target_.link];
   result.opticalFromWorld = result.opticalFromTarget * transformFromPlacement(modelState.worldFromSupport()).inverse();
   return result;
 }
 
 /// opticalFromParent of the frame that the board's placement counts from.
 RigidTransform ObservationChain::boardParent(const CameraFrames& attitude) const {
-  const RigidTransform& parent = inWorld_ ? attitude.opticalFromWorld : attitude.opticalFromTarget;
+  const RigidTransform& parent = target_.inWorld ? attitude.opticalFromWorld : attitude.opticalFromTarget;
   return reference_ ? parent * *reference_ : parent;
 }
 
@@ -128,10 +121,9 @@ void ObservationChain::placeBoard(const RigidTransform& linkFromBoard, CameraFra
   attitude.opticalFromBoard = boardParent(attitude) * linkFromBoard;
 }
 
-CameraFrames ObservationChain::cameraFrames(const Robot& robot, const ModelState& modelState,
-                                            const LinkPoses& torsoFromLink) const {
-  CameraFrames result = pathFrames(robot, modelState, torsoFromLink);
-  placeBoard(transformFromPlacement(modelState.boardPlacement(board_)), result);
+CameraFrames ObservationChain::cameraFrames(const PosedRobot& posed) const {
+  CameraFrames result = pathFrames(posed);
+  placeBoard(transformFromPlacement(posed.modelState.boardPlacement(target_.board)), result);
   return result;
 }
 
@@ -143,7 +135,7 @@ bool ObservationChain::project(const CameraFrames& attitude, const ModelState& m
   const Eigen::Matrix<double, 9, 1> lens = modelState.lens();
   const double fx = lens[0], fy = lens[1], cx = lens[2], cy = lens[3];
   const double k1 = lens[4], k2 = lens[5], p1 = lens[6], p2 = lens[7], k3 = lens[8];
-  const double scale = 1 + modelState.boardScale(board_), bow = modelState.boardBow(board_);
+  const double scale = 1 + modelState.boardScale(target_.board), bow = modelState.boardBow(target_.board);
   const double rowTime = modelState.rowTime();
   const Eigen::Matrix<double, 6, 1> drift = attitude.drift;
   projected.resize(corners.size());
@@ -191,33 +183,32 @@ bool ObservationChain::project(const CameraFrames& attitude, const ModelState& m
   return std::min({least[0], least[1], least[2], least[3]}) >= nearest;
 }
 
-void ObservationChain::fillExtraRows(std::size_t extra, const CameraFrames& attitude, const ModelState& modelState,
-                                     const CornerBlock& corners, const ProjectedBlock& projected, Double4& du,
-                                     Double4& dv) {
-  const CornerShift shift = extra < lensCount ? shiftByLens(extra, modelState.lens(), projected)
-                            : extra == rowTimeExtra
-                                ? shiftByRowTime(attitude.drift, modelState.lens()[3], corners, projected)
-                                : shiftByBoard(extra, attitude.opticalFromBoard.rotation, corners, projected);
-  du = shift.u;
-  dv = shift.v;
+CornerShift ObservationChain::shiftByExtra(std::size_t extra, const CameraFrames& attitude,
+                                           const ModelState& modelState, const CornerBlock& corners,
+                                           const ProjectedBlock& projected) {
+  if (extra < lensCount) {
+    return shiftByLens(extra, modelState.lens(), projected);
+  }
+  return extra == rowTimeExtra ? shiftByRowTime(attitude.drift, modelState.lens()[3], corners, projected)
+                               : shiftByBoard(extra, attitude.opticalFromBoard.rotation, corners, projected);
 }
 
 std::optional<std::size_t> ObservationChain::extraIndex(std::size_t quantity) const {
   if (quantity >= quantities_.lens() && quantity < quantities_.lens() + lensCount) {
     return quantity - quantities_.lens();
   }
-  if (quantity == quantities_.board(board_) + 6) {
+  if (quantity == quantities_.board(target_.board) + 6) {
     return boardScaleExtra;
   }
-  if (quantity == quantities_.board(board_) + 7) {
+  if (quantity == quantities_.board(target_.board) + 7) {
     return boardBowExtra;
   }
   return quantity == quantities_.rowTime() ? std::optional{rowTimeExtra} : std::nullopt;
 }
 
 /// Angles, axes and lengths move what lies beyond the link; a link that carries the camera moves the scene backwards.
-Twist ObservationChain::linkMotion(const Robot& robot, const CameraFrames& attitude, const ModelState& modelState,
-                                   const LinkPoses& torsoFromLink, std::size_t quantity) const {
+Twist ObservationChain::linkMotion(const PosedRobot& posed, const CameraFrames& attitude, std::size_t quantity) const {
+  const auto& [robot, modelState, torsoFromLink] = posed;
   if (quantity >= quantities_.length(0)) {
     Twist sum = Twist::Zero();
     const std::size_t length = quantity - quantities_.length(0);
@@ -262,8 +253,9 @@ Twist ObservationChain::linkMotion(const Robot& robot, const CameraFrames& attit
 }
 
 /// The step to a joint moves what lies beyond it: along and about the axes of the joint's frame before its own motion.
-Twist ObservationChain::linkStepMotion(const Robot& robot, const CameraFrames& attitude, const ModelState& modelState,
-                                       const LinkPoses& torsoFromLink, std::size_t joint, std::size_t number) const {
+Twist ObservationChain::linkStepMotion(const PosedRobot& posed, const CameraFrames& attitude, std::size_t joint,
+                                       std::size_t number) const {
+  const auto& [robot, modelState, torsoFromLink] = posed;
   const std::size_t link = robot.joints[joint].link;
   Twist twist = Twist::Zero();
   if (side_[link] == 0) {
@@ -314,43 +306,42 @@ Twist ObservationChain::mountMotion(const Robot& robot, const ModelState& modelS
   return twist;
 }
 
-void ObservationChain::setDrift(const Robot& robot, const ModelState& modelState, const LinkPoses& torsoFromLink,
-                                const Eigen::VectorXd& velocity, CameraFrames& attitude) const {
+void ObservationChain::setDrift(const PosedRobot& posed, const Eigen::VectorXd& velocity,
+                                CameraFrames& attitude) const {
   attitude.drift.setZero();
   for (const std::size_t joint : joints_) {
-    attitude.drift += velocity[static_cast<Eigen::Index>(joint)] *
-                      linkMotion(robot, attitude, modelState, torsoFromLink, quantities_.angle(joint));
+    attitude.drift +=
+        velocity[static_cast<Eigen::Index>(joint)] * linkMotion(posed, attitude, quantities_.angle(joint));
   }
 }
 
-void ObservationChain::fillMotionColumns(const Robot& robot, const CameraFrames& attitude, const ModelState& modelState,
-                                         const LinkPoses& torsoFromLink, const std::vector<std::size_t>& wanted,
-                                         const std::vector<std::size_t>& extras,
+void ObservationChain::fillMotionColumns(const PosedRobot& posed, const CameraFrames& attitude,
+                                         const std::vector<std::size_t>& wanted, const std::vector<std::size_t>& extras,
                                          Eigen::Ref<Eigen::MatrixXd> columns) const {
   columns.setZero();
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     const std::size_t quantity = wanted[i];
     auto column = columns.col(static_cast<Eigen::Index>(i));
     if (quantity < quantities_.mountTranslation()) {
-      column.head<6>() = linkMotion(robot, attitude, modelState, torsoFromLink, quantity);
+      column.head<6>() = linkMotion(posed, attitude, quantity);
     } else if (quantity < quantities_.lens() && camera_) {
-      column.head<6>() = mountMotion(robot, modelState, quantity - quantities_.mountTranslation());
+      column.head<6>() = mountMotion(posed.robot, posed.modelState, quantity - quantities_.mountTranslation());
     } else if (const auto number = camera_ ? extraIndex(quantity) : std::nullopt) {
       const auto row = std::find(extras.begin(), extras.end(), *number);
       assert(row != extras.end());
       column[6 + (row - extras.begin())] = 1;
     } else if (quantity >= quantities_.worldFromSupport() && quantity < quantities_.worldFromSupport() + 6 &&
-               inWorld_ != eyeInWorld_) {
+               target_.inWorld != eyeInWorld_) {
       // the support moves in the world, so the world moves backwards in the support
       const double direction = eyeInWorld_ ? 1 : -1;
-      column.head<6>() = direction * placementMotion(attitude.opticalFromWorld, modelState.worldFromSupport(),
+      column.head<6>() = direction * placementMotion(attitude.opticalFromWorld, posed.modelState.worldFromSupport(),
                                                      quantity - quantities_.worldFromSupport());
-    } else if (camera_ && quantity >= quantities_.board(board_) && quantity < quantities_.board(board_) + 6) {
-      column.head<6>() = placementMotion(boardParent(attitude), modelState.boardPlacement(board_),
-                                         quantity - quantities_.board(board_));
+    } else if (camera_ && quantity >= quantities_.board(target_.board) &&
+               quantity < quantities_.board(target_.board) + 6) {
+      column.head<6>() = placementMotion(boardParent(attitude), posed.modelState.boardPlacement(target_.board),
+                                         quantity - quantities_.board(target_.board));
     } else if (const auto joint = quantities_.jointOfStep(quantity)) {
-      column.head<6>() =
-          linkStepMotion(robot, attitude, modelState, torsoFromLink, *joint, quantity - quantities_.linkStep(*joint));
+      column.head<6>() = linkStepMotion(posed, attitude, *joint, quantity - quantities_.linkStep(*joint));
     }
   }
 }

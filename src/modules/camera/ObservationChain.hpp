@@ -31,6 +31,25 @@ struct CameraFrames {
   Eigen::Matrix<double, 6, 1> drift = Eigen::Matrix<double, 6, 1>::Zero(); // of the scene, (omega, v) [rad/s, m/s]
 };
 
+/// A robot's links in one model state. Refers to its parts for the duration of a call.
+struct PosedRobot {
+  const Robot& robot;
+  const ModelState& modelState;
+  const LinkPoses& torsoFromLink;
+};
+
+/// Shift of four corners in the picture [px] per unit of a quantity.
+struct CornerShift {
+  Double4 u{}, v{};
+};
+
+/// Board that a camera sees: the link that carries it (for a board in the world, the support), and its index.
+struct ChainTarget {
+  std::size_t link;
+  bool inWorld;
+  std::size_t board;
+};
+
 /// Kinematic chain between one camera and one target: the links between them, and the motion of the target in the
 /// camera by each quantity.
 ///
@@ -43,8 +62,8 @@ struct CameraFrames {
 class ObservationChain {
 public:
   /// `support`: the link that stands in the world, for a camera beside the robot.
-  ObservationChain(const Robot& robot, const StateLayout& quantities, std::size_t camera, std::size_t targetLink,
-                   bool inWorld, std::size_t board, std::optional<std::size_t> support = std::nullopt);
+  ObservationChain(const Robot& robot, const StateLayout& quantities, std::size_t camera, const ChainTarget& target,
+                   std::optional<std::size_t> support = std::nullopt);
 
   /// Chain from a link to the floor under a sole.
   static ObservationChain betweenLinks(const Robot& robot, const StateLayout& quantities, std::size_t eyeLink,
@@ -54,24 +73,23 @@ public:
   const std::vector<std::size_t>& links() const { return links_; }
   /// Joints between camera and target: the ones that affect the picture.
   const std::vector<std::size_t>& joints() const { return joints_; }
-  std::size_t board() const { return board_; }
+  std::size_t board() const { return target_.board; }
   /// Lets the board's placement count from `reference` in its link or in the world: reference * T(placement).
   void setReference(const RigidTransform& reference) { reference_ = reference; }
   /// Whether both chains connect the same camera and link. They then have the same derivatives, except for those by the
   /// boards themselves.
   bool sharesPath(const ObservationChain& other) const {
-    return camera_ == other.camera_ && target_ == other.target_ && inWorld_ == other.inWorld_;
+    return camera_ == other.camera_ && target_.link == other.target_.link && target_.inWorld == other.target_.inWorld;
   }
 
-  /// Requires `torsoFromLink` to contain `links()`.
-  CameraFrames cameraFrames(const Robot& robot, const ModelState& modelState, const LinkPoses& torsoFromLink) const;
+  /// Requires `posed.torsoFromLink` to contain `links()`.
+  CameraFrames cameraFrames(const PosedRobot& posed) const;
   /// The same in two steps, for several boards along one chain: all but opticalFromBoard, then only that.
-  CameraFrames pathFrames(const Robot& robot, const ModelState& modelState, const LinkPoses& torsoFromLink) const;
+  CameraFrames pathFrames(const PosedRobot& posed) const;
   void placeBoard(const RigidTransform& linkFromBoard, CameraFrames& attitude) const;
 
   /// Sets the velocity of the scene in the optical frame for joint velocities `velocity` (one per joint) [rad/s].
-  void setDrift(const Robot& robot, const ModelState& modelState, const LinkPoses& torsoFromLink,
-                const Eigen::VectorXd& velocity, CameraFrames& attitude) const;
+  void setDrift(const PosedRobot& posed, const Eigen::VectorXd& velocity, CameraFrames& attitude) const;
 
   /// Projects corners through the lens, each at the exposure time of its row:
   ///
@@ -85,31 +103,30 @@ public:
   /// Fills `columns` (6 + number of extras rows, one column per quantity in `wanted`) with the motion (omega, v) of the
   /// scene in the optical frame per unit of the quantity, or with 1 in the row of its extra if it is one. `extras`:
   /// indices of the extras (0..11) in the order of the rows beyond the six.
-  void fillMotionColumns(const Robot& robot, const CameraFrames& attitude, const ModelState& modelState,
-                         const LinkPoses& torsoFromLink, const std::vector<std::size_t>& wanted,
+  void fillMotionColumns(const PosedRobot& posed, const CameraFrames& attitude, const std::vector<std::size_t>& wanted,
                          const std::vector<std::size_t>& extras, Eigen::Ref<Eigen::MatrixXd> columns) const;
 
-  /// d(u), d(v) of four corners per unit of an extra.
-  static void fillExtraRows(std::size_t extra, const CameraFrames& attitude, const ModelState& modelState,
-                            const CornerBlock& corners, const ProjectedBlock& projected, Double4& du, Double4& dv);
+  /// Shift of four corners per unit of an extra.
+  static CornerShift shiftByExtra(std::size_t extra, const CameraFrames& attitude, const ModelState& modelState,
+                                  const CornerBlock& corners, const ProjectedBlock& projected);
 
   /// Index of a quantity among the extras (0..11), if it is one.
   std::optional<std::size_t> extraIndex(std::size_t quantity) const;
 
 private:
   ObservationChain(const Robot& robot, const StateLayout& quantities, std::optional<std::size_t> camera,
-                   std::size_t eyeLink, std::size_t targetLink, bool inWorld, std::size_t board);
-  Twist linkMotion(const Robot& robot, const CameraFrames& attitude, const ModelState& modelState,
-                   const LinkPoses& torsoFromLink, std::size_t quantity) const;
+                   std::size_t eyeLink, const ChainTarget& target);
+  Twist linkMotion(const PosedRobot& posed, const CameraFrames& attitude, std::size_t quantity) const;
   Twist mountMotion(const Robot& robot, const ModelState& modelState, std::size_t number) const;
-  Twist linkStepMotion(const Robot& robot, const CameraFrames& attitude, const ModelState& modelState,
-                       const LinkPoses& torsoFromLink, std::size_t joint, std::size_t number) const;
+  Twist linkStepMotion(const PosedRobot& posed, const CameraFrames& attitude, std::size_t joint,
+                       std::size_t number) const;
   RigidTransform boardParent(const CameraFrames& attitude) const;
 
   StateLayout quantities_;
   std::optional<std::size_t> camera_; // absent: a link replaces the camera
-  std::size_t eye_, target_, board_;  // links, and the target's index
-  bool inWorld_, eyeInWorld_;
+  std::size_t eye_;                   // link
+  bool eyeInWorld_;
+  ChainTarget target_;
   std::optional<RigidTransform> reference_; // of the board's placement; absent: the identity
   std::vector<std::size_t> links_, joints_;
   std::vector<int> side_; // per link: -1 carries the camera, +1 carries the target, 0 lies not between them

@@ -50,10 +50,10 @@ std::vector<CaptureSet> keepFold(std::vector<CaptureSet> sets, const std::map<Po
 }
 
 /// A fit as what `compare` predicts with.
-StoredResult fitToPredict(const std::vector<CaptureSet>& sets, const Robot& robot, const std::vector<std::string>& with,
-                          const std::vector<std::string>& without, const std::vector<Effect>& effects) {
+StoredResult fitToPredict(const std::vector<CaptureSet>& sets, const Robot& robot,
+                          const std::vector<std::string>& terms, const SuggestedModel& asked) {
   const Measurements measurements = buildMeasurements(sets, robot);
-  const Model model = buildModel(measurements, with, without, effects);
+  const Model model = buildModel(measurements, terms, asked.without, asked.effects);
   CalibrationOptions options;
   options.testMissingEffects = false;
   const CalibrationResult result = calibrate(measurements, model, options);
@@ -84,27 +84,26 @@ json errorsJson(const PredictionErrors& errors) {
 
 } // namespace
 
-FoldErrors crossValidate(const std::vector<CaptureSet>& sets, const Robot& robot, std::size_t folds,
-                         const std::vector<std::string>& with, const std::vector<std::string>& without,
-                         const std::vector<std::string>& suggested, const std::vector<Effect>& effects) {
+FoldErrors predictFolds(const std::vector<CaptureSet>& sets, const Robot& robot, std::size_t folds,
+                        const SuggestedModel& model) {
   const std::map<PoseName, std::size_t> foldOf = dealPoses(sets, folds);
-  std::vector<std::string> all = with;
-  all.insert(all.end(), suggested.begin(), suggested.end());
+  std::vector<std::string> all = model.with;
+  all.insert(all.end(), model.suggested.begin(), model.suggested.end());
   FoldErrors result{.folds = folds, .given = {}, .suggested = {}};
   for (std::size_t fold = 0; fold < folds; ++fold) {
     const std::vector<CaptureSet> seen = keepFold(sets, foldOf, fold, false),
                                   unseen = keepFold(sets, foldOf, fold, true);
     const auto add = [&](const std::vector<std::string>& terms, PredictionErrors& errors) {
-      const PredictionErrors here = predictionErrors(fitToPredict(seen, robot, terms, without, effects), unseen, robot);
+      const PredictionErrors here = predictionErrors(fitToPredict(seen, robot, terms, model), unseen, robot);
       errors.pixels.insert(errors.pixels.end(), here.pixels.begin(), here.pixels.end());
       errors.readings.append(here.readings);
     };
-    add(with, result.given);
-    if (!suggested.empty()) {
+    add(model.with, result.given);
+    if (!model.suggested.empty()) {
       add(all, result.suggested);
     }
   }
-  if (suggested.empty()) {
+  if (model.suggested.empty()) {
     result.suggested = result.given;
   }
   return result;

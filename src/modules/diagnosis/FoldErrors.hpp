@@ -16,10 +16,15 @@ struct FoldErrors {
   PredictionErrors given, suggested; // of the model as given, and with what the diagnosis suggests
 };
 
-/// `with`, `without`: the model as given. Throws InputError for fewer poses than folds.
-FoldErrors crossValidate(const std::vector<CaptureSet>& sets, const Robot& robot, std::size_t folds,
-                         const std::vector<std::string>& with, const std::vector<std::string>& without,
-                         const std::vector<std::string>& suggested, const std::vector<Effect>& effects);
+/// A model as given, and what a diagnosis suggests to add to it.
+struct SuggestedModel {
+  std::vector<std::string> with, without, suggested;
+  std::vector<Effect> effects; // of a model file
+};
+
+/// Throws InputError for fewer poses than folds.
+FoldErrors predictFolds(const std::vector<CaptureSet>& sets, const Robot& robot, std::size_t folds,
+                        const SuggestedModel& model);
 
 /// `crossValidated` of DIAGNOSIS.json.
 nlohmann::json toJson(const FoldErrors& errors);

@@ -250,11 +250,11 @@ std::vector<StateDerivative> evaluateJacobian(const Measurements& measurements, 
   const EffectJacobian all{measurements, model, picture};
   std::vector<StateDerivative> result = all.entries();
   if (all.hasVarying()) {
-    DriverState driven = computeDrivers(measurements, model, picture, unknowns);
     EffectJacobian::Scratch scratch;
+    scratch.driven = computeDrivers(measurements, model, picture, unknowns);
     ModelState modelState = picture.nominal;
     std::vector<double> values(result.size() - all.fixedCount());
-    all.applyVarying(model, picture, unknowns, driven, scratch, modelState, values.data());
+    all.applyVarying(model, picture, unknowns, scratch, modelState, values.data());
     for (std::size_t i = 0; i < values.size(); ++i) {
       result[all.fixedCount() + i].value = values[i];
     }
@@ -263,7 +263,8 @@ std::vector<StateDerivative> evaluateJacobian(const Measurements& measurements, 
 }
 
 void EffectJacobian::applyVarying(const Model& model, const ImageObservation& picture, const Eigen::VectorXd& unknowns,
-                                  DriverState& driven, Scratch& scratch, ModelState& modelState, double* values) const {
+                                  Scratch& scratch, ModelState& modelState, double* values) const {
+  DriverState& driven = scratch.driven;
   scratch.modelState = picture.nominal;
   for (const Varying& varying : varying_) {
     const Term& term = model.terms()[varying.term];

@@ -33,16 +33,17 @@ public:
   /// Adds the corrections of the fixed slopes to `modelState`.
   void applyFixed(const Eigen::VectorXd& unknowns, ModelState& modelState) const;
 
-  /// Buffers reused across evaluations.
+  /// Drivers at the instant, and buffers reused across evaluations.
   struct Scratch {
+    DriverState driven;
     ModelState modelState{StateLayout{0, 0, 0}};
     std::vector<double> values;
   };
   /// Adds the corrections of the varying terms to `modelState` and writes the values of their slopes to `values`, in
   /// the order of `entries()` from `fixedCount()` on. Derivatives with respect to a term's drivers are central
-  /// differences of that term, combined with `driven` by the chain rule; `driven` is unchanged on return.
+  /// differences of that term, combined with `scratch.driven` by the chain rule; that is unchanged on return.
   void applyVarying(const Model& model, const ImageObservation& picture, const Eigen::VectorXd& unknowns,
-                    DriverState& driven, Scratch& scratch, ModelState& modelState, double* values) const;
+                    Scratch& scratch, ModelState& modelState, double* values) const;
 
 private:
   struct Varying {

@@ -190,13 +190,13 @@ void ImageNormalEquations::clear(std::size_t extras) {
 }
 
 void ImageNormalEquations::add(const CornerBlocks& corners, const ProjectedBlocks& projected,
-                               const std::vector<ExtraRow>& extraRows, double pixelNoise,
+                               const std::vector<CornerShift>& extraShifts, double pixelNoise,
                                const ObservationWeight& weight, const Loss& loss) {
   const double share = weight.share, freedom = weight.freedom();
   const double information = share / (pixelNoise * pixelNoise);
   const std::size_t blocks = corners.size();
   const bool quadratic = loss.scale == 0;
-  dispatchSimd([ =, this, &corners, &projected, &extraRows, &loss ]() __attribute__((always_inline)) {
+  dispatchSimd([ =, this, &corners, &projected, &extraShifts, &loss ]() __attribute__((always_inline)) {
     Double4 squares{}, cost{}, counted{};
     for (std::size_t block = 0; block < blocks; ++block) {
       const ProjectedBlock& seen = projected[block];
@@ -223,14 +223,14 @@ void ImageNormalEquations::add(const CornerBlocks& corners, const ProjectedBlock
         }
       }
       for (std::size_t i = 6; i < width_; ++i) {
-        const ExtraRow& row = extraRows[(i - 6) * blocks + block];
+        const CornerShift& row = extraShifts[(i - 6) * blocks + block];
         const Double4 wu = w * row.u, wv = w * row.v;
         gradient_[i] += wu * ru + wv * rv;
         for (std::size_t j = 0; j < 6; ++j) {
           *product++ += wu * seen.rowsU[j] + wv * seen.rowsV[j];
         }
         for (std::size_t j = 6; j <= i; ++j) {
-          const ExtraRow& other = extraRows[(j - 6) * blocks + block];
+          const CornerShift& other = extraShifts[(j - 6) * blocks + block];
           *product++ += wu * other.u + wv * other.v;
         }
       }

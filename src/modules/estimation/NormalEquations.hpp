@@ -11,11 +11,6 @@
 
 namespace naocal {
 
-/// d(u), d(v) of four corners per unit of an extra quantity (`ObservationChain::fillExtraRows`).
-struct ExtraRow {
-  Double4 u, v;
-};
-
 /// Weight of an observation's corners (`cornerShare`), given `repeats` pictures of one rest.
 struct ObservationWeight {
   double share = 1;
@@ -38,8 +33,8 @@ public:
   /// Resets the sums.
   void clear(std::size_t extras = 0);
 
-  /// Adds the corners of an observation. `extraRows`: ordered by extra, then by block.
-  void add(const CornerBlocks& corners, const ProjectedBlocks& projected, const std::vector<ExtraRow>& extraRows,
+  /// Adds the corners of an observation. `extraShifts`: ordered by extra, then by block.
+  void add(const CornerBlocks& corners, const ProjectedBlocks& projected, const std::vector<CornerShift>& extraShifts,
            double pixelNoise, const ObservationWeight& weight, const Loss& loss);
 
   Square gram() const;                             // sum of w L^T L, 6 + extras

@@ -37,6 +37,7 @@ struct Residuals::Workspace {
   /// Cached, since pictures of one reading share angles, torques and centre of mass.
   void drive(const Measurements& measurements, const Model& model, const ImageObservation& picture,
              const Eigen::VectorXd& unknowns) {
+    DriverState& driven = scratch.driven;
     const ImageObservation* const last = std::exchange(drivenPicture, &picture);
     if (!last || last->instant.q != picture.instant.q || last->instant.supportFoot != picture.instant.supportFoot ||
         picture.instant.supportFoot == SupportFoot::both) {
@@ -70,15 +71,14 @@ struct Residuals::Workspace {
   std::vector<PlacedBoard> boards;
   LinkPoses torsoFromLink;
   ProjectedBlocks projected;
-  std::vector<ExtraRow> extraRows;
+  std::vector<CornerShift> extraShifts;
   ImageNormalEquations corners;
   Eigen::MatrixXd motion;
   NormalEquations sums; // of a pose, or
   RowEquations rows;    // of a pose
   bool wantsRows = false;
-  double cost = 0; // sum of rho
-  DriverState driven;
-  const ImageObservation* drivenPicture = nullptr; // the picture that `driven` belongs to
+  double cost = 0;                                 // sum of rho
+  const ImageObservation* drivenPicture = nullptr; // the picture that `scratch.driven` belongs to
   EffectJacobian::Scratch scratch;
   std::vector<double> varyingSlopes;
   const double* slopes = nullptr; // slope values of the picture
@@ -88,7 +88,7 @@ struct Residuals::Workspace {
 /// pixels, like all sums.
 void Residuals::addFloorContact(const ObservationChain& sole, const PreparedImage::Group& group, Workspace& work,
                                 PosePart& part) const {
-  const CameraFrames attitude = sole.pathFrames(measurements_.robot, work.modelState, work.torsoFromLink);
+  const CameraFrames attitude = sole.pathFrames({measurements_.robot, work.modelState, work.torsoFromLink});
   const Eigen::Vector3d normal = attitude.opticalFromWorld.rotation.col(2);
   const Eigen::Vector3d scale =
       noise_.pixel * Eigen::Vector3d{1 / FloorContact::height, 1 / FloorContact::tilt, 1 / FloorContact::tilt};
@@ -96,7 +96,7 @@ void Residuals::addFloorContact(const ObservationChain& sole, const PreparedImag
   const Eigen::Vector3d residual =
       scale.cwiseProduct(Eigen::Vector3d{-normal.dot(attitude.opticalFromWorld.translation), normal.x(), normal.y()});
   work.motion.resize(6, eigenIndex(group.quantities.size()));
-  sole.fillMotionColumns(measurements_.robot, attitude, work.modelState, work.torsoFromLink, group.quantities, {},
+  sole.fillMotionColumns({measurements_.robot, work.modelState, work.torsoFromLink}, attitude, group.quantities, {},
                          work.motion);
   work.add(byMotion.transpose() * byMotion, byMotion.transpose() * residual, work.motion, group);
   work.cost += residual.squaredNorm() / (noise_.pixel * noise_.pixel);
@@ -109,7 +109,7 @@ void Residuals::addFloorContact(const ObservationChain& sole, const PreparedImag
 WitnessRows Residuals::compareWitness(const WitnessObservation& observation, const Workspace& work,
                                       std::optional<CameraFrames>& frames) const {
   if (observation.view) {
-    frames = observation.view->pathFrames(measurements_.robot, work.modelState, work.torsoFromLink);
+    frames = observation.view->pathFrames({measurements_.robot, work.modelState, work.torsoFromLink});
   }
   return observation.witness->compare(frames ? frames->opticalFromWorld : RigidTransform{}, work.modelState);
 }
@@ -147,7 +147,7 @@ void Residuals::addWitness(const WitnessObservation& observation, const Prepared
   all << rows.byMotion, rows.byOwn;
   work.motion.resize(width, eigenIndex(group.quantities.size()));
   if (observation.view) {
-    observation.view->fillMotionColumns(measurements_.robot, *frames, work.modelState, work.torsoFromLink,
+    observation.view->fillMotionColumns({measurements_.robot, work.modelState, work.torsoFromLink}, *frames,
                                         group.quantities, {}, work.motion);
   } else {
     work.motion.setZero();
@@ -169,7 +169,7 @@ void Residuals::addImuReading(const ImageObservation& picture, const PreparedIma
                               PosePart& part) const {
   const ObservationChain& torso = *prepared.torso;
   const StateLayout& quantities = measurements_.quantities;
-  const CameraFrames attitude = torso.pathFrames(measurements_.robot, work.modelState, work.torsoFromLink);
+  const CameraFrames attitude = torso.pathFrames({measurements_.robot, work.modelState, work.torsoFromLink});
   const Eigen::Vector3d normal = attitude.opticalFromWorld.rotation.col(2);
   const double roll = work.modelState.imuTilt()[0], pitch = work.modelState.imuTilt()[1];
   const Eigen::Vector2d reading = picture.instant.imu;
@@ -184,7 +184,7 @@ void Residuals::addImuReading(const ImageObservation& picture, const PreparedIma
   byMotion *= scale;
   const Eigen::Vector2d residual = scale * (normal - told).head<2>();
   work.motion.resize(8, eigenIndex(prepared.imu.quantities.size()));
-  torso.fillMotionColumns(measurements_.robot, attitude, work.modelState, work.torsoFromLink, prepared.imu.quantities,
+  torso.fillMotionColumns({measurements_.robot, work.modelState, work.torsoFromLink}, attitude, prepared.imu.quantities,
                           {}, work.motion);
   for (std::size_t i = 0; i < prepared.imu.quantities.size(); ++i) {
     for (std::size_t k = 0; k < 2; ++k) {
@@ -322,7 +322,7 @@ void Residuals::predictImageState(const ImageObservation& picture, const Prepare
     work.varyingSlopes = prepared.slopeValues;
     work.slopes = work.varyingSlopes.data();
     work.drive(measurements_, model_, picture, unknowns);
-    prepared.slopes.applyVarying(model_, picture, unknowns, work.driven, work.scratch, work.modelState,
+    prepared.slopes.applyVarying(model_, picture, unknowns, work.scratch, work.modelState,
                                  work.varyingSlopes.data() + prepared.slopes.fixedCount());
   }
   for (std::size_t i = 0; i < prepared.joints.size(); ++i) {
@@ -356,15 +356,14 @@ bool Residuals::addCorners(const BoardObservation& observation, const std::vecto
   if (!observation.view.project(attitude, work.modelState, observation.corners, work.projected)) {
     return false;
   }
-  work.extraRows.clear();
+  work.extraShifts.clear();
   for (std::size_t extra : extras) {
     for (std::size_t block = 0; block < observation.corners.size(); ++block) {
-      ExtraRow& row = work.extraRows.emplace_back();
-      ObservationChain::fillExtraRows(extra, attitude, work.modelState, observation.corners[block],
-                                      work.projected[block], row.u, row.v);
+      work.extraShifts.push_back(ObservationChain::shiftByExtra(extra, attitude, work.modelState,
+                                                                observation.corners[block], work.projected[block]));
     }
   }
-  work.corners.add(observation.corners, work.projected, work.extraRows, noise_.pixel,
+  work.corners.add(observation.corners, work.projected, work.extraShifts, noise_.pixel,
                    {cornerShare(noise_, observation.repeats), observation.repeats}, loss_);
   return true;
 }
@@ -373,9 +372,9 @@ bool Residuals::addCorners(const BoardObservation& observation, const std::vecto
 bool Residuals::addGroup(const ImageObservation& picture, const PreparedImage::Group& group, Workspace& work,
                          PosePart& part) const {
   const ObservationChain& path = picture.observations[group.observations.front()].view;
-  CameraFrames attitude = path.pathFrames(measurements_.robot, work.modelState, work.torsoFromLink);
+  CameraFrames attitude = path.pathFrames({measurements_.robot, work.modelState, work.torsoFromLink});
   if (std::find(group.extras.begin(), group.extras.end(), rowTimeExtra) != group.extras.end()) {
-    path.setDrift(measurements_.robot, work.modelState, work.torsoFromLink, picture.instant.velocity, attitude);
+    path.setDrift({measurements_.robot, work.modelState, work.torsoFromLink}, picture.instant.velocity, attitude);
   }
   work.corners.clear(group.extras.size());
   for (std::size_t index : group.observations) {
@@ -384,7 +383,7 @@ bool Residuals::addGroup(const ImageObservation& picture, const PreparedImage::G
     }
   }
   work.motion.resize(eigenIndex(6 + group.extras.size()), eigenIndex(group.quantities.size()));
-  path.fillMotionColumns(measurements_.robot, attitude, work.modelState, work.torsoFromLink, group.quantities,
+  path.fillMotionColumns({measurements_.robot, work.modelState, work.torsoFromLink}, attitude, group.quantities,
                          group.extras, work.motion);
   work.add(work.corners.gram(), work.corners.gradient(), work.motion, group);
   work.cost += work.corners.cost();
@@ -603,9 +602,9 @@ std::optional<std::vector<BoardMotionSums>> Residuals::boardMotions(const State&
 /// Computes an observation's motion sums. False if a corner has no projection.
 bool Residuals::addMotion(const BoardObservation& observation, const PreparedImage::Group& group, Workspace& work,
                           BoardMotionSums& motion) const {
-  CameraFrames attitude = observation.view.pathFrames(measurements_.robot, work.modelState, work.torsoFromLink);
+  CameraFrames attitude = observation.view.pathFrames({measurements_.robot, work.modelState, work.torsoFromLink});
   if (std::find(group.extras.begin(), group.extras.end(), rowTimeExtra) != group.extras.end()) {
-    observation.view.setDrift(measurements_.robot, work.modelState, work.torsoFromLink,
+    observation.view.setDrift({measurements_.robot, work.modelState, work.torsoFromLink},
                               measurements_.pictures[motion.picture].instant.velocity, attitude);
   }
   work.corners.clear(group.extras.size());
@@ -613,7 +612,7 @@ bool Residuals::addMotion(const BoardObservation& observation, const PreparedIma
     return false;
   }
   work.motion.resize(eigenIndex(6 + group.extras.size()), eigenIndex(group.quantities.size()));
-  observation.view.fillMotionColumns(measurements_.robot, attitude, work.modelState, work.torsoFromLink,
+  observation.view.fillMotionColumns({measurements_.robot, work.modelState, work.torsoFromLink}, attitude,
                                      group.quantities, group.extras, work.motion);
   const ImageNormalEquations::Square gram = work.corners.gram();
   motion.gram = gram.topLeftCorner<6, 6>();
@@ -659,9 +658,9 @@ std::vector<WitnessResidual> Residuals::witnessResiduals(const State& state) con
 /// Residuals of one board in one picture, at the workspace's state; not finite if a corner has no projection.
 BoardResidual Residuals::boardResidual(std::size_t picture, std::size_t index, Workspace& work) const {
   const BoardObservation& observation = measurements_.pictures[picture].observations[index];
-  CameraFrames attitude = observation.view.cameraFrames(measurements_.robot, work.modelState, work.torsoFromLink);
+  CameraFrames attitude = observation.view.cameraFrames({measurements_.robot, work.modelState, work.torsoFromLink});
   if (work.modelState.rowTime() != 0) {
-    observation.view.setDrift(measurements_.robot, work.modelState, work.torsoFromLink,
+    observation.view.setDrift({measurements_.robot, work.modelState, work.torsoFromLink},
                               measurements_.pictures[picture].instant.velocity, attitude);
   }
   const Eigen::Index count = eigenIndex(observation.ids.size());

@@ -110,25 +110,35 @@ CaptureSet firstPoses(CaptureSet set, const std::vector<CommandedPose>& poses, s
   return set;
 }
 
-TrialArm arm(const Robot& robot, const Subject& subject, const CaptureSet& start, const ModelAmbiguity& question,
-             const std::string& hidden, bool propose, std::uint64_t seed, const NextPosesTrialOptions& options) {
-  std::vector<CaptureSet> sets{start};
+/// What both arms of a trial start from.
+struct TrialStart {
+  const Robot& robot;
+  const Subject& subject;
+  const CaptureSet& captures;
+  const ModelAmbiguity& question;
+  std::string hidden; // the true effect's label
+  std::uint64_t seed;
+};
+
+/// Adds poses, proposed or random, until one effect of the class is all but certain.
+TrialArm runArm(const TrialStart& start, bool propose, const NextPosesTrialOptions& options) {
+  std::vector<CaptureSet> sets{start.captures};
   for (std::size_t taken = 0; taken < options.most; taken += options.batch) {
-    const Measurements measurements = buildMeasurements(sets, robot, true);
-    const Weighed now = weighHypotheses(measurements, question);
+    const Measurements measurements = buildMeasurements(sets, start.robot, true);
+    const Weighed now = weighHypotheses(measurements, start.question);
     NextPosesOptions next;
     next.count = options.batch;
-    next.seed = 1000 * seed + taken;
+    next.seed = 1000 * start.seed + taken;
     const std::vector<CommandedPose> poses =
         propose ? commandPoses(proposeNextPoses({measurements, now.model, now.fit}, now.question, next).poses)
-                : randomPoses(robot, options.batch, next.seed + 1);
-    const CaptureSet captures = subject.captures(poses, sets.size()).set;
+                : randomPoses(start.robot, options.batch, next.seed + 1);
+    const CaptureSet captures = start.subject.captures(poses, sets.size()).set;
     sets.emplace_back();
     for (std::size_t count = 1; count <= poses.size(); ++count) {
       sets.back() = firstPoses(captures, poses, count);
-      const Weighed then = weighHypotheses(buildMeasurements(sets, robot, true), question);
+      const Weighed then = weighHypotheses(buildMeasurements(sets, start.robot, true), start.question);
       if (findLikeliest(then).odds >= options.certainty) {
-        return {taken + count, findLikeliest(then).label == hidden};
+        return {taken + count, findLikeliest(then).label == start.hidden};
       }
     }
   }
@@ -153,8 +163,9 @@ NextPosesTrial runNextPosesTrial(const Robot& robot, std::uint64_t seed, const N
   for (const Hypothesis& suspect : question.suspects) {
     result.suspects.push_back(suspect.label);
   }
-  result.proposed = arm(robot, subject, start.set, question, result.hidden, true, seed, options);
-  result.random = arm(robot, subject, start.set, question, result.hidden, false, seed, options);
+  const TrialStart both{robot, subject, start.set, question, result.hidden, seed};
+  result.proposed = runArm(both, true, options);
+  result.random = runArm(both, false, options);
   return result;
 }
 

@@ -487,7 +487,7 @@ void ThesisExperiment::look(const ImageObservation& all, const Eigen::VectorXd& 
     }
   }
   forwardKinematics(robot, real, all.observations.front().view.links(), torsoFromLink);
-  CameraFrames attitude = all.observations.front().view.pathFrames(robot, real, torsoFromLink);
+  CameraFrames attitude = all.observations.front().view.pathFrames({robot, real, torsoFromLink});
   const CameraIntrinsics& lens = scenery_.cameras.at(robot.cameras[all.camera].name);
   seen.observations.clear();
   for (const BoardObservation& observation : all.observations) {

@@ -73,9 +73,7 @@ void addObservation(const CaptureSet& set, const Capture& capture, const BoardCo
   ObservationChain view{robot,
                         measurements.quantities,
                         result.camera,
-                        link,
-                        target.inWorld,
-                        targetIndex,
+                        {link, target.inWorld, targetIndex},
                         standsBeside ? support : std::nullopt};
   for (std::size_t joint : view.joints()) {
     if (std::isnan(result.instant.q[static_cast<Eigen::Index>(joint)])) {

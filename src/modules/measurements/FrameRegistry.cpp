@@ -23,16 +23,6 @@ bool isSurveyed(const CaptureSet& set) {
                      [&](const Stance& stance) { return stance.placement.has_value() || isBaseStanding(set, stance); });
 }
 
-/// The index of a link that something is on.
-std::size_t requireLinkOf(const CaptureSet& set, const std::string& place, const std::string& link,
-                          const Robot& robot) {
-  const auto index = robot.linkIndex(link);
-  if (!index) {
-    throw InputError{fmt::format("{}: {}: the {} has no link '{}'", set.name, place, robot.model, link)};
-  }
-  return *index;
-}
-
 /// Whether a list has an entry of this name.
 template <typename Entry> bool hasName(const std::vector<Entry>& entries, const std::string& name) {
   return std::any_of(entries.begin(), entries.end(), [&](const Entry& entry) { return entry.name == name; });
@@ -47,7 +37,7 @@ std::vector<std::size_t> supportLinks(const CaptureSet& set, const Stance& stanc
   for (const std::string& link : stance.supportLinks) {
     const Sole* const sole = robot.findSole(link);
     result.push_back(sole ? sole->link
-                          : requireLinkOf(set, fmt::format("stances[{}].supportLinks", stance.id), link, robot));
+                          : requireLink(robot, fmt::format("{}: stances[{}].supportLinks", set.name, stance.id), link));
   }
   if (stance.supportFoot == SupportFoot::left || stance.supportFoot == SupportFoot::both) {
     result.push_back(robot.findSole("left")->link);
@@ -90,7 +80,7 @@ void FrameRegistry::addTargets(const CaptureSet& set, const Robot& robot) {
     }
     const bool isFlat = board.link == "floor", inWorld = isFlat || board.link == "world";
     if (!inWorld) {
-      requireLinkOf(set, fmt::format("boards[{}].link", board.id), board.link, robot);
+      requireLink(robot, fmt::format("{}: boards[{}].link", set.name, board.id), board.link);
     }
     targetByName_[name] = targets_.size();
     targets_.push_back({name, board, inWorld, isFlat, !board.placement.has_value()});
@@ -126,13 +116,14 @@ void FrameRegistry::addInstruments(const CaptureSet& set, const Robot& robot) {
   }
   for (const TrackedMarker& marker : set.instruments.markers) {
     if (const std::string name = scopedId(set, marker.id); !hasName(instruments_.markers, name)) {
-      const std::size_t link = requireLinkOf(set, fmt::format("markers[{}].link", marker.id), marker.link, robot);
+      const std::size_t link =
+          requireLink(robot, fmt::format("{}: markers[{}].link", set.name, marker.id), marker.link);
       instruments_.markers.push_back({name, link, marker, marker.point.value_or(marker.pointGuess)});
     }
   }
   for (const TrackedFrame& frame : set.instruments.frames) {
     if (const std::string name = scopedId(set, frame.id); !hasName(instruments_.frames, name)) {
-      const std::size_t link = requireLinkOf(set, fmt::format("frames[{}].link", frame.id), frame.link, robot);
+      const std::size_t link = requireLink(robot, fmt::format("{}: frames[{}].link", set.name, frame.id), frame.link);
       instruments_.frames.push_back({name, link, frame, {}});
     }
   }

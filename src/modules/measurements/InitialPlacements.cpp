@@ -87,7 +87,8 @@ public:
         if (const auto opticalFromBoard = estimateBoardPose(observation.corners, picture.nominal.lens())) {
           LinkPoses torsoFromLink;
           forwardKinematics(measurements_.robot, picture.nominal, observation.view.links(), torsoFromLink);
-          const CameraFrames frames = observation.view.pathFrames(measurements_.robot, picture.nominal, torsoFromLink);
+          const CameraFrames frames =
+              observation.view.pathFrames({measurements_.robot, picture.nominal, torsoFromLink});
           poses.push_back(frames.opticalFromTarget.inverse() * *opticalFromBoard);
         }
       }

@@ -1,9 +1,12 @@
 #include "robot/Robot.hpp"
 
+#include "io/InputError.hpp"
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <fmt/format.h>
 
 namespace naocal {
 
@@ -52,6 +55,14 @@ std::optional<std::size_t> Robot::cameraIndex(std::string_view name) const {
 const Sole* Robot::findSole(std::string_view name) const {
   const auto index = indexOf(soles, name);
   return index ? &soles[*index] : nullptr;
+}
+
+std::size_t requireLink(const Robot& robot, const std::string& place, std::string_view link) {
+  const auto index = robot.linkIndex(link);
+  if (!index) {
+    throw InputError{fmt::format("{}: expected a link of {}, found \"{}\"", place, robot.model, link)};
+  }
+  return *index;
 }
 
 AngleRange jointLimitsAt(const Robot& robot, std::size_t joint, const Eigen::VectorXd& angles) {

@@ -106,6 +106,9 @@ struct Robot {
   const Sole* findSole(std::string_view name) const; // nullptr if the robot has no sole of that name
 };
 
+/// Index of a link that `place` of a file names. Throws InputError if the robot has no such link.
+std::size_t requireLink(const Robot& robot, const std::string& place, std::string_view link);
+
 /// Reads a robot description. Throws InputError with file, location, expected and found.
 ///
 /// A description with a "base" contains only the differences from that file in the same folder (a JSON merge patch, RFC

@@ -13,14 +13,6 @@ namespace naocal {
 
 namespace {
 
-std::size_t requireLink(const Robot& robot, const CaptureSet& set, const std::string& place, const std::string& link) {
-  const auto index = robot.linkIndex(link);
-  if (!index) {
-    throw InputError{fmt::format("{}: {}: expected a link of {}, found \"{}\"", set.name, place, set.urdf, link)};
-  }
-  return *index;
-}
-
 /// `description`: what lists the robot's joints, for error messages.
 void requireJoints(const Robot& robot, const CaptureSet& set, const std::string& description) {
   for (const std::string& name : set.jointNames) {
@@ -38,7 +30,8 @@ CameraMount mountOf(const Robot& robot, const CaptureSet& set, const std::string
       mounting.placement.value_or(inWorld ? mounting.guess.value_or(Placement{}) : Placement{}).numbers());
   const Eigen::Matrix3d mountFromCamera = mounting.isOptical ? opticalFromCamera() : Eigen::Matrix3d::Identity();
   return {.name = name,
-          .link = inWorld ? robot.base : requireLink(robot, set, fmt::format("cameras.{}.link", name), mounting.link),
+          .link = inWorld ? robot.base
+                          : requireLink(robot, fmt::format("{}: cameras.{}.link", set.name, name), mounting.link),
           .inWorld = inWorld,
           .translation = linkFromMount.translation,
           .rotation = linkFromMount.rotation * mountFromCamera};
@@ -49,7 +42,7 @@ void addSole(const CaptureSet& set, const std::string& place, const std::string&
   if (robot.findSole(name)) {
     return;
   }
-  const std::size_t foot = requireLink(robot, set, place, name);
+  const std::size_t foot = requireLink(robot, place, name);
   const auto given = set.soles.find(name);
   const RigidTransform footFromSole =
       transformFromPlacement((given == set.soles.end() ? Placement{} : given->second).numbers());
@@ -73,11 +66,11 @@ std::filesystem::path findUrdf(const CaptureSet& set) {
 void addMounts(const CaptureSet& set, Robot& robot) {
   for (const Stance& stance : set.stances) {
     for (const std::string& link : stance.supportLinks) {
-      addSole(set, fmt::format("stances[{}].supportLinks", stance.id), link, robot);
+      addSole(set, fmt::format("{}: stances[{}].supportLinks", set.name, stance.id), link, robot);
     }
   }
   for (const auto& [link, sole] : set.soles) {
-    addSole(set, "soles", link, robot);
+    addSole(set, set.name + ": soles", link, robot);
   }
   for (const auto& [name, mounting] : set.mountings) {
     if (!robot.cameraIndex(name)) {
@@ -114,7 +107,7 @@ Robot loadUrdfOf(std::span<const CaptureSet> sets) {
   const std::string urdf = readUrdf(file);
   Robot robot = parseUrdf(urdf, file.string());
   if (!first.base.empty()) {
-    robot.base = requireLink(robot, first, "robot.base", first.base);
+    robot.base = requireLink(robot, first.name + ": robot.base", first.base);
   }
   for (const CaptureSet& set : sets.subspan(1)) {
     refuseOtherUrdf(set, first, urdf);

@@ -233,7 +233,7 @@ Eigen::Vector3d TrueRobot::missAt(std::size_t touch, const Pose& pose) {
   const ModelState state = stateAt(picture, pose);
   const WitnessObservation& contact = picture.witnesses.front();
   const RigidTransform linkFromWorld =
-      contact.view->pathFrames(robot_, state, forwardKinematics(robot_, state)).opticalFromWorld;
+      contact.view->pathFrames({robot_, state, forwardKinematics(robot_, state)}).opticalFromWorld;
   return contact.witness->compare(linkFromWorld, state).residual.head<3>();
 }
 
@@ -438,7 +438,7 @@ std::vector<BoardCorners> TrueRobot::seeCorners(const ImageObservation& picture,
   std::vector<BoardCorners> seen;
   for (const BoardObservation& observation : picture.observations) {
     const Board& board = measurements_.targets[observation.view.board()].board;
-    const CameraFrames frames = observation.view.cameraFrames(robot_, state, torsoFromLink);
+    const CameraFrames frames = observation.view.cameraFrames({robot_, state, torsoFromLink});
     Eigen::Isometry3d cameraFromBoard = Eigen::Isometry3d::Identity();
     cameraFromBoard.linear() = cameraFromOptical * frames.opticalFromBoard.rotation;
     cameraFromBoard.translation() = cameraFromOptical * frames.opticalFromBoard.translation;
@@ -479,7 +479,7 @@ void TrueRobot::track(const ImageObservation& picture, const ModelState& state, 
   for (std::size_t i = 0; i < picture.witnesses.size(); ++i) {
     const WitnessObservation& observation = picture.witnesses[i];
     const WitnessRows rows = observation.witness->compare(
-        observation.view->pathFrames(robot_, state, torsoFromLink).opticalFromWorld, state);
+        observation.view->pathFrames({robot_, state, torsoFromLink}).opticalFromWorld, state);
     const Eigen::Vector3d xyz = rows.residual.head<3>();
     const bool isPoint = i < capture.points.size();
     const std::string& tracker =

@@ -65,22 +65,20 @@ std::vector<FloorPlace> placeBoards(int boards, RandomStream& chance) {
   return places;
 }
 
-Eigen::VectorXd PoseDrawer::drawStable(int side, int camera, RandomStream& chance,
-                                       const std::vector<Eigen::Vector3d>& targetsInSole, double enough,
-                                       const std::function<double(const Eigen::VectorXd&)>& worth,
-                                       std::optional<double> hipYawPitch) const {
+Eigen::VectorXd PoseDrawer::drawStable(const PoseWish& wish, RandomStream& chance) const {
   constexpr int tries = 20000, looks = 4;
   for (int attempt = 0; attempt < tries; ++attempt) {
     Eigen::VectorXd angles{static_cast<Eigen::Index>(drawing_.joints.size())};
-    if (!bend(side, chance, hipYawPitch, angles)) {
+    if (!bend(wish.side, chance, wish.hipYawPitch, angles)) {
       continue;
     }
-    double best = enough;
+    double best = wish.enough;
     Eigen::VectorXd bestAngles;
     for (int turn = 0; turn < looks; ++turn) {
-      look(side, camera, targetsInSole[chance.below(static_cast<int>(targetsInSole.size()))], chance, angles);
+      const auto target = static_cast<std::size_t>(chance.below(static_cast<int>(wish.targetsInSole.size())));
+      look(wish.side, wish.camera, wish.targetsInSole[target], chance, angles);
       if (withinLimits(angles)) {
-        if (const double value = worth(angles) * chance.between(0.7, 1); value > best) {
+        if (const double value = wish.worth(angles) * chance.between(0.7, 1); value > best) {
           best = value;
           bestAngles = angles;
         }

@@ -15,18 +15,22 @@ std::vector<int> chainOf(const Drawing& drawing, int side);
 /// Non-overlapping places of A2 boards around the robot.
 std::vector<FloorPlace> placeBoards(int boards, RandomStream& chance);
 
+/// A pose on one foot that shows boards to one camera.
+struct PoseWish {
+  int side, camera;
+  std::vector<Eigen::Vector3d> targetsInSole;                 // the camera points roughly at one of them
+  std::function<double(const Eigen::VectorXd& angles)> worth; // rates a pose by the visible corners
+  double enough;                                              // least worth
+  std::optional<double> hipYawPitch;                          // fixed value [rad]
+};
+
 /// Draws stable poses on one foot: random joint angles, balanced at the ankle.
 class PoseDrawer {
 public:
   PoseDrawer(const Drawing& drawing, const Skeleton& skeleton) : drawing_{drawing}, skeleton_{skeleton} {}
 
-  /// Points one camera roughly at one of the targets (support sole frame). `worth` rates a pose by the visible corners;
-  /// returns the best of several head directions, better than `enough`. `hipYawPitch`: fixed value. Throws
-  /// std::runtime_error if no pose is found.
-  Eigen::VectorXd drawStable(int side, int camera, RandomStream& chance,
-                             const std::vector<Eigen::Vector3d>& targetsInSole, double enough,
-                             const std::function<double(const Eigen::VectorXd&)>& worth,
-                             std::optional<double> hipYawPitch) const;
+  /// The best of several head directions. Throws std::runtime_error if no pose is worth enough.
+  Eigen::VectorXd drawStable(const PoseWish& wish, RandomStream& chance) const;
 
 private:
   bool bend(int side, RandomStream& chance, std::optional<double> hipYawPitch, Eigen::VectorXd& angles) const;

@@ -86,9 +86,14 @@ private:
       const auto worth = [&](const VectorXd& angles) {
         return cornersInView(skeleton_, session_.stances[stance], camera, session_.boards, angles);
       };
-      constexpr double enough = 12;
-      VectorXd angles = poses.drawStable(session_.stances[stance].side, camera, chance_,
-                                         targets(session_.stances[stance]), enough, worth, plan_.hipYawPitch);
+      constexpr double enough = 12; // corners
+      VectorXd angles = poses.drawStable({.side = session_.stances[stance].side,
+                                          .camera = camera,
+                                          .targetsInSole = targets(session_.stances[stance]),
+                                          .worth = worth,
+                                          .enough = enough,
+                                          .hipYawPitch = plan_.hipYawPitch},
+                                         chance_);
       poses_.push_back({std::move(angles), stance});
     }
     if (plan_.sortedByKnee) {

@@ -41,8 +41,9 @@ nlohmann::json validate(const DiagnoseCommand& command, const Measurements& meas
   if (diagnosis.own) {
     suggested.pop_back();
   }
-  const FoldErrors errors = crossValidate(*measurements.sets, measurements.robot, command.folds, command.options.with,
-                                          command.options.without, suggested, command.options.effects);
+  const FoldErrors errors =
+      predictFolds(*measurements.sets, measurements.robot, command.folds,
+                   {command.options.with, command.options.without, suggested, command.options.effects});
   if (command.json != "-") {
     const auto size = [](const PredictionErrors& error) {
       return error.pixels.empty() ? formatSizes(summarizeReadings(error.readings))

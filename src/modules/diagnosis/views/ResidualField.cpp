@@ -152,9 +152,9 @@ std::vector<PredictedBoard> predictBoards(const Measurements& measurements, cons
   ProjectedBlocks projected;
   for (const BoardObservation& observation : picture.observations) {
     forwardKinematics(robot, modelState, observation.view.links(), torsoFromLink);
-    CameraFrames attitude = observation.view.cameraFrames(robot, modelState, torsoFromLink);
+    CameraFrames attitude = observation.view.cameraFrames({robot, modelState, torsoFromLink});
     if (modelState.rowTime() != 0) {
-      observation.view.setDrift(robot, modelState, torsoFromLink, picture.instant.velocity, attitude);
+      observation.view.setDrift({robot, modelState, torsoFromLink}, picture.instant.velocity, attitude);
     }
     PredictedBoard& board = result.emplace_back();
     board.opticalFromBoard = attitude.opticalFromBoard;

@@ -64,7 +64,7 @@ PlanningScene::PlanningScene(const Robot& robot, SupportFoot foot, const std::ve
           fmt::format("camera {}: expected a camera of the drawing of {}, found none of that name", name, robot.model)};
     }
     for (std::size_t board = 0; board < boards_.size(); ++board) {
-      outlooks_.push_back({*camera, lens, ObservationChain{robot, quantities_, *camera, support.link, true, board},
+      outlooks_.push_back({*camera, lens, ObservationChain{robot, quantities_, *camera, {support.link, true, board}},
                            allCorners(boards_[board])});
     }
   }
@@ -77,7 +77,7 @@ PlanningScene::Projection PlanningScene::projection(const Outlook& outlook, Mode
   modelState.lens() << lens.fx, lens.fy, lens.cx, lens.cy,
       Eigen::Map<const Eigen::Matrix<double, 5, 1>>(lens.distortion.data());
   Projection result;
-  result.attitude = outlook.view.cameraFrames(robot_, modelState, torsoFromLink);
+  result.attitude = outlook.view.cameraFrames({robot_, modelState, torsoFromLink});
   if (!outlook.view.project(result.attitude, modelState, outlook.corners, result.corners)) {
     return result; // partly behind the camera: too close to be useful
   }
@@ -152,7 +152,7 @@ Eigen::MatrixXd PlanningScene::information(const ModelState& modelState, const L
       add(quantities_.board(board) + (i < 2 ? i : 5), boards + 3 * board + i);
     }
     Eigen::MatrixXd motion(6, eigenIndex(quantities.size()));
-    outlook.view.fillMotionColumns(robot_, seen.attitude, own, torsoFromLink, quantities, {}, motion);
+    outlook.view.fillMotionColumns({robot_, own, torsoFromLink}, seen.attitude, quantities, {}, motion);
     const Eigen::MatrixXd ofQuantities =
         motion.transpose() * ofMotion(seen.corners, seen.seen) * motion / (pixel * pixel);
     for (std::size_t a = 0; a < unknowns.size(); ++a) {
@@ -169,14 +169,14 @@ Eigen::MatrixXd PlanningScene::information(const ModelState& modelState, const L
 
 void PlanningScene::addFloorContact(const ModelState& modelState, const LinkPoses& torsoFromLink,
                                     Eigen::MatrixXd& information) const {
-  const CameraFrames attitude = otherSole_->pathFrames(robot_, modelState, torsoFromLink);
+  const CameraFrames attitude = otherSole_->pathFrames({robot_, modelState, torsoFromLink});
   const std::vector<std::size_t>& joints = otherSole_->joints();
   std::vector<std::size_t> quantities;
   for (const std::size_t joint : joints) {
     quantities.push_back(quantities_.angle(joint));
   }
   Eigen::MatrixXd motion(6, eigenIndex(joints.size()));
-  otherSole_->fillMotionColumns(robot_, attitude, modelState, torsoFromLink, quantities, {}, motion);
+  otherSole_->fillMotionColumns({robot_, modelState, torsoFromLink}, attitude, quantities, {}, motion);
   const Eigen::MatrixXd slopes = floorContactJacobian(attitude.opticalFromWorld.rotation.col(2)) * motion;
   const Eigen::MatrixXd told = slopes.transpose() * slopes;
   for (std::size_t a = 0; a < joints.size(); ++a) {

@@ -290,30 +290,31 @@ void takePictures(const SimulateOptions& options, Simulation& simulation) {
       renderPictures(simulation, options.appearance, options.seed, options.output, threads, proceed));
 }
 
-std::size_t cornerCount(const CaptureSet& set) {
-  std::size_t count = 0;
+/// The sum of a count over all captures.
+template <typename Count> std::size_t sumOverCaptures(const CaptureSet& set, Count count) {
+  std::size_t sum = 0;
   for (const Capture& capture : set.captures) {
-    for (const BoardCorners& board : capture.corners.value_or(std::vector<BoardCorners>{})) {
-      count += board.ids.size();
-    }
+    sum += count(capture);
   }
-  return count;
+  return sum;
+}
+
+std::size_t cornerCount(const CaptureSet& set) {
+  return sumOverCaptures(set, [](const Capture& capture) {
+    std::size_t corners = 0;
+    for (const BoardCorners& board : capture.corners.value_or(std::vector<BoardCorners>{})) {
+      corners += board.ids.size();
+    }
+    return corners;
+  });
 }
 
 std::size_t readingCount(const CaptureSet& set) {
-  std::size_t count = 0;
-  for (const Capture& capture : set.captures) {
-    count += capture.points.size() + capture.frames.size();
-  }
-  return count;
+  return sumOverCaptures(set, [](const Capture& capture) { return capture.points.size() + capture.frames.size(); });
 }
 
 std::size_t touchCount(const CaptureSet& set) {
-  std::size_t count = 0;
-  for (const Capture& capture : set.captures) {
-    count += capture.contacts.size();
-  }
-  return count;
+  return sumOverCaptures(set, [](const Capture& capture) { return capture.contacts.size(); });
 }
 
 std::size_t poseCount(const CaptureSet& set) {
