@@ -192,6 +192,21 @@ void CalibrationJobs::recordFall() {
   worker_.enqueue([this] { runs_.recordFall(); });
 }
 
+void CalibrationJobs::recordSaves() {
+  const std::size_t count = context_.configuration.saveCount();
+  if (saveCount_ == count) {
+    return;
+  }
+  const bool isFirst = !std::exchange(saveCount_, count);
+  worker_.enqueue([this, isFirst] {
+    if (isFirst) {
+      runs_.noteConfigured();
+    } else if (!keysToPutBack_) { // what a calibration has applied is recorded with it
+      runs_.recordSaved();
+    }
+  });
+}
+
 void CalibrationJobs::finish() {
   ++abandoned_;
   worker_.waitUntilIdle();

@@ -81,6 +81,8 @@ public:
   void undo();
   /// Records that the robot has fallen.
   void recordFall();
+  /// Records offsets that a client has saved. Call it in every cycle.
+  void recordSaves();
   /// Waits until all jobs are done; an applied, unsaved calibration stays in effect.
   void finish();
 
@@ -131,6 +133,7 @@ private:
   void give(Job job);    // enqueues it
 
   CalibrationContext context_;
+  std::optional<std::size_t> saveCount_; // of the configuration, at the last `recordSaves`
   std::filesystem::path folder_;
   std::string kind_;
   std::atomic<std::uint64_t> abandoned_{0};        // number of abandoned calibrations

@@ -112,6 +112,7 @@ void CalibrationRunner::cycle() {
     runs_.edit();
   }
   watchPlayer();
+  jobs_.recordSaves();
   takeResults();
   follow(*look_);
   const bool arrived = player_.request == requests_ && player_.done;

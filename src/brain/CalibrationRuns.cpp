@@ -50,6 +50,7 @@ void CalibrationRuns::recordCalibration(const Calibration& calibration) {
     run.set = readConfiguredOffsets(configuration_);
     return run;
   });
+  noteConfigured();
 }
 
 void CalibrationRuns::recordUndo(const std::map<std::string, double>& before) {
@@ -60,10 +61,28 @@ void CalibrationRuns::recordUndo(const std::map<std::string, double>& before) {
     run.set = readConfiguredOffsets(configuration_);
     return run;
   });
+  noteConfigured();
 }
 
 void CalibrationRuns::recordFall() {
   record([&] { return begin(std::string{fallKind}); });
+}
+
+void CalibrationRuns::noteConfigured() {
+  noted_ = readConfiguredOffsets(configuration_);
+}
+
+void CalibrationRuns::recordSaved() {
+  if (readConfiguredOffsets(configuration_) == noted_) {
+    return;
+  }
+  record([&] {
+    Run run = begin(std::string{applyKind});
+    run.outcome = RunOutcome::kept;
+    run.set = readConfiguredOffsets(configuration_);
+    return run;
+  });
+  noteConfigured();
 }
 
 void CalibrationRuns::publishNewest() {

@@ -29,8 +29,8 @@ struct PublishedRuns {
 /// [{"id": .., "run": RUN.json}]
 void to_json(nlohmann::json& out, const PublishedRuns& published);
 
-/// Records this robot's calibrations, undos and falls, and publishes the newest. A run that cannot be recorded gives a
-/// sentence in the log and changes nothing else. Used on one thread, except `take`.
+/// Records this robot's calibrations, undos, falls and offsets that clients have saved, and publishes the newest. A run
+/// that cannot be recorded gives a sentence in the log and changes nothing else. Used on one thread, except `take`.
 class CalibrationRuns {
 public:
   static constexpr std::size_t mostPublished = 10;
@@ -50,6 +50,10 @@ public:
   /// An undo; `before`: the configured offsets that it took back [rad].
   void recordUndo(const std::map<std::string, double>& before);
   void recordFall();
+  /// Notes the configured offsets, for `recordSaved`.
+  void noteConfigured();
+  /// Records the configured offsets, which a client has saved, unless the last run has set the same.
+  void recordSaved();
   void publishNewest();
 
   /// The newest runs, unless already taken. On one other thread.
@@ -61,6 +65,7 @@ private:
 
   RunRecording recording_;
   const Configuration& configuration_;
+  std::map<std::string, double> noted_; // configured offsets after the last run, by joint [rad]
   Latest<PublishedRuns> published_;
 };
 

@@ -80,7 +80,8 @@ TEST_CASE("a session that cannot be gone on from is refused with its place") {
 }
 
 TEST_CASE("a changed model comes last and names its origin, and every model that was tried stays") {
-  // Proves add, drop, undo and goTo on the history alone: undone models are kept, and a further change starts a branch.
+  // Proves add, drop, undo, redo and goTo on the history alone: undone models are kept, and a further change starts a
+  // branch.
   Session session;
   session.ladder.push_back({.rmsPx = 0.5, .questioned = SelectionStep{}});
   const auto base = [] { return std::vector<std::string>{"jointOffset@HeadYaw"}; };
@@ -100,6 +101,10 @@ TEST_CASE("a changed model comes last and names its origin, and every model that
   session.goTo(1);
   CHECK(session.at == 1);
   CHECK(session.ladder.size() == 4);
+  CHECK_THROWS_WITH(session.redo(), Contains("nothing to redo"));
+  session.goTo(0);
+  session.redo(); // the newest of the two that were made from it
+  CHECK(session.at == 2);
 }
 
 TEST_CASE("an effect of the base model can be dropped and added again, and nothing is in a model twice") {

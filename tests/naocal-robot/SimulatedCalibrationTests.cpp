@@ -9,6 +9,7 @@
 #include <map>
 #include <mutex>
 #include <set>
+#include <thread>
 
 namespace naocal {
 
@@ -87,6 +88,42 @@ TEST_CASE("a simulated robot calibrates neck and cameras, driven only through th
   CHECK(runs[0].offsets.at("HeadPitch").sigma > 0);
   CHECK(std::filesystem::exists(runs[0].result));
   CHECK(runs[1].outcome == RunOutcome::unneeded);
+}
+
+TEST_CASE("offsets that a client saves are recorded as a run", "[robot]") {
+  // Proves it for a client of the configuration's socket: values count once they are saved, and once only.
+  SimulatedProcess simulated{SimulatedProcess::plan(1, 0)};
+  simulated.process->start([](std::string_view) {});
+  auto debug = MateClient::debug(simulated.process->sockets().debugPort());
+  debug.send(0, "Brain.calibration");
+  debug.send(3);
+  debug.receive(4);
+  debug.receive(2); // the brain has run
+  auto config = MateClient::config(simulated.process->sockets().configPort());
+  const auto saves = [&](double headPitch) {
+    config.send(
+        0,
+        json::array({{{"mp", "Motion.JointCalibrationProvider"}, {"key", "headPitch"}, {"value", headPitch}}}).dump());
+    config.send(3); // save
+    config.send(1);
+    config.receive(5); // was saved
+  };
+  const auto waitForRuns = [&](std::size_t count) {
+    for (int i = 0; i < 3000 && simulated.runs().size() < count; ++i) {
+      std::this_thread::sleep_for(std::chrono::milliseconds{10});
+    }
+    return simulated.runs();
+  };
+  saves(1.5);
+  REQUIRE(waitForRuns(1).size() == 1);
+  saves(1.5);
+  saves(-0.5);
+  const std::vector<Run> runs = waitForRuns(2);
+  REQUIRE(runs.size() == 2);
+  CHECK(runs[0].kind == applyKind);
+  CHECK(runs[0].outcome == RunOutcome::kept);
+  CHECK(runs[0].set.at("HeadPitch") == Approx(radians(1.5)));
+  CHECK(runs[1].set.at("HeadPitch") == Approx(radians(-0.5)));
 }
 
 TEST_CASE("a calibration of neck and cameras that does not help is taken back", "[robot]") {

@@ -49,13 +49,19 @@ struct SimulatedShared {
     Eigen::VectorXd joints;
     Eigen::Isometry3d worldFromTorso;
   };
-  /// Linear between quarters of cycles; absent outside the last second.
+  /// Linear between quarters of cycles; absent outside the last second before `now`.
   std::optional<Moment> stateAt(TimePoint time) const;
 
   bool hasPendingImage() const { return cameras[0].pending || cameras[1].pending; }
 
-  /// Advances one cycle: due commands, body, completed images.
-  void advance();
+  /// Moves the body through the next cycle: due commands first. Does nothing if it has moved already.
+  void moveBody();
+  /// Ends the cycle: time, completed images.
+  void endCycle();
+  void advance() {
+    moveBody();
+    endCycle();
+  }
 
   static constexpr std::chrono::milliseconds cycle{12};
 
@@ -72,10 +78,11 @@ struct SimulatedShared {
   Touch touched;
 
 private:
-  void remember();
+  void remember(TimePoint time);
   void expose(std::size_t camera, TimePoint begins);
 
   std::deque<Moment> history_;
+  bool hasMoved_ = false; // through the cycle that has not ended
 };
 
 SimulatedShared::SimulatedShared(const Robot& robotDrawing, const SimulatedPlan& simulatedPlan)
@@ -85,18 +92,18 @@ SimulatedShared::SimulatedShared(const Robot& robotDrawing, const SimulatedPlan&
       now{beginning(simulatedPlan)}, cameras{SimulatedCamera{CameraName::top, simulatedPlan, now},
                                              SimulatedCamera{CameraName::bottom, simulatedPlan,
                                                              now + half(simulatedPlan.cameras.period)}} {
-  remember();
+  remember(now);
 }
 
-void SimulatedShared::remember() {
-  history_.push_back({now, body.trueAngles(), body.worldFromTorso()});
+void SimulatedShared::remember(TimePoint time) {
+  history_.push_back({time, body.trueAngles(), body.worldFromTorso()});
   if (history_.size() > remembered) {
     history_.pop_front();
   }
 }
 
 std::optional<SimulatedShared::Moment> SimulatedShared::stateAt(TimePoint time) const {
-  if (time < history_.front().time || time > history_.back().time) {
+  if (time < history_.front().time || time > std::min(now, history_.back().time)) {
     return std::nullopt;
   }
   const auto after = std::lower_bound(history_.begin() + (history_.size() > 1), history_.end(), time,
@@ -108,16 +115,25 @@ std::optional<SimulatedShared::Moment> SimulatedShared::stateAt(TimePoint time) 
                 between(one.worldFromTorso, other.worldFromTorso, share)};
 }
 
-void SimulatedShared::advance() {
+void SimulatedShared::moveBody() {
+  if (hasMoved_) {
+    return;
+  }
   for (int part = 0; part < parts; ++part) {
-    while (!commands.empty() && commands.front().first <= now) {
+    const TimePoint time = now + part * cycle / parts;
+    while (!commands.empty() && commands.front().first <= time) {
       body.command(commands.front().second);
       commands.pop_front();
     }
     body.advance(cycle / parts);
-    now += cycle / parts;
-    remember();
+    remember(time + cycle / parts);
   }
+  hasMoved_ = true;
+}
+
+void SimulatedShared::endCycle() {
+  now += cycle;
+  hasMoved_ = false;
   for (std::size_t camera = 0; camera < cameras.size(); ++camera) {
     while (const auto begins = cameras[camera].nextArrival(now)) {
       expose(camera, *begins);
@@ -130,7 +146,7 @@ void SimulatedShared::expose(std::size_t camera, TimePoint begins) {
   const std::size_t mount = drawing.cameraIndex(toString(CameraName(camera))).value();
   for (int instant = 0; instant < instants; ++instant) {
     const TimePoint time = begins + cameras[camera].span() * instant / (instants - 1);
-    const Moment moment = stateAt(std::clamp(time, history_.front().time, history_.back().time)).value();
+    const Moment moment = stateAt(std::clamp(time, history_.front().time, now)).value();
     worldFromCamera.push_back(body.worldFromCamera(mount, moment.joints, moment.worldFromTorso));
   }
   cameras[camera].deliver(worldFromCamera);
@@ -176,7 +192,8 @@ private:
   std::shared_ptr<SimulatedShared> shared_;
 };
 
-/// Interface for the motion loop; each state advances one cycle.
+/// Interface for the motion loop; each state advances one cycle. At the wall's pace the body moves before the wait, so
+/// that a state costs little once its time has come.
 class SimulatedRobot : public RobotInterface {
 public:
   explicit SimulatedRobot(std::shared_ptr<SimulatedShared> shared) : shared_{std::move(shared)} {}
@@ -191,6 +208,8 @@ public:
     if (shared_->plan.pace == Pace::quick) {
       shared_->step.waitForCameraLoop(lock, [this] { return shared_->hasPendingImage(); });
     } else {
+      catchUp();
+      shared_->moveBody();
       const TimePoint wake =
           std::min(shared_->now + SimulatedShared::cycle, std::chrono::steady_clock::now() + timeout);
       lock.unlock();
@@ -199,7 +218,6 @@ public:
       if (wake < shared_->now + SimulatedShared::cycle) {
         return std::nullopt;
       }
-      catchUp();
     }
     shared_->advance();
     ++shared_->link.states;
@@ -262,8 +280,8 @@ const SimulatedErrors& SimulatedWorld::errors() const {
 
 SimulatedWorld::Truth SimulatedWorld::truth() const {
   const std::lock_guard lock{shared_->mutex};
-  const SimulatedBody& body = shared_->body;
-  return {shared_->now, body.trueAngles(), body.worldFromTorso(), body.supportFoot(), body.hasFallen()};
+  const SimulatedShared::Moment moment = shared_->stateAt(shared_->now).value();
+  return {moment.time, moment.joints, moment.worldFromTorso, shared_->body.supportFoot(), shared_->body.hasFallen()};
 }
 
 std::optional<Eigen::VectorXd> SimulatedWorld::jointsAt(TimePoint time) const {

@@ -43,11 +43,12 @@ Json unknowns(const CandidateFinding& finding) {
   return result;
 }
 
-Json rankingEntry(const CandidateFinding& finding, std::size_t mostPoints) {
+Json rankingEntry(const CandidateFinding& finding, const Diagnosis& diagnosis, std::size_t mostPoints) {
   Json entry{{"effect", finding.term.effect.name},
              {"at", finding.term.placeName},
              {"unknowns", unknowns(finding)},
              {"state", toString(finding.state)},
+             {"shown", toString(shownState(finding, diagnosis))},
              {"power", finding.power},
              {"minimalDetectable",
               finding.minimalDetectable.empty() ? Json(nullptr) : number(finding.minimalDetectable.front())},
@@ -163,7 +164,7 @@ Json diagnosisJson(const Diagnosis& diagnosis, std::size_t mostPoints) {
                   {"define", diagnosis.own ? Json::array({Json::parse(diagnosis.own->definition)}) : Json::array()},
                   {"seconds", diagnosis.seconds}});
   result["ranking"] = listJson<CandidateFinding>(
-      diagnosis.ranking, [&](const CandidateFinding& finding) { return rankingEntry(finding, mostPoints); });
+      diagnosis.ranking, [&](const CandidateFinding& finding) { return rankingEntry(finding, diagnosis, mostPoints); });
   for (const DataAnomaly& anomaly : diagnosis.anomalies) {
     if (!anomaly.setUp.empty()) { // stands first
       const std::size_t at = anomaly.setUp.find('@');

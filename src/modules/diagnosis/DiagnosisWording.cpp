@@ -177,6 +177,23 @@ std::string describeState(CandidateState state) {
   return {};
 }
 
+CandidateState shownState(const CandidateFinding& finding, const Diagnosis& diagnosis) {
+  const auto isPresent = [](const CandidateFinding& one) { return one.state == CandidateState::present; };
+  const bool areSeveral =
+      diagnosis.steps.size() == 1 && std::count_if(diagnosis.ranking.begin(), diagnosis.ranking.end(), isPresent) > 1;
+  return areSeveral && isPresent(finding) ? CandidateState::aliased : finding.state;
+}
+
+std::string summarizeUnfitted(const Diagnosis& diagnosis) {
+  const auto mendable = std::find_if(diagnosis.anomalies.begin(), diagnosis.anomalies.end(),
+                                     [](const DataAnomaly& anomaly) { return !anomaly.setUp.empty(); });
+  return mendable == diagnosis.anomalies.end()
+             ? diagnosis.sentence
+             : fmt::format("{} These captures cannot be fitted as they are: mend them with 'naocal solve SET --with {} "
+                           "-o result.json'.",
+                           diagnosis.sentence, mendable->setUp);
+}
+
 std::string formatAmplitude(const DriverCurve& curve) {
   const auto [unit, scale] = displayUnit(curve.unit);
   return appendUnit(fmt::format("±{:.2f}", scale * curve.amplitude), unit);
@@ -201,6 +218,16 @@ std::string formatSizes(const CandidateFinding& finding) {
     }
     const auto [unit, scale] = displayUnit(unknown.unit);
     parts.push_back(appendUnit(fmt::format("{} = {:.3g} ± {:.1g}", unknown.name, scale * value, scale * sigma), unit));
+  }
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+std::string formatDetectable(const CandidateFinding& finding) {
+  std::vector<std::string> parts;
+  for (std::size_t i = 0; i < finding.minimalDetectable.size(); ++i) {
+    const Unknown& unknown = finding.term.effect.unknowns.at(i);
+    const auto [unit, scale] = displayUnit(unknown.unit);
+    parts.push_back(appendUnit(fmt::format("{} = {:.2g}", unknown.name, scale * finding.minimalDetectable[i]), unit));
   }
   return fmt::format("{}", fmt::join(parts, ", "));
 }

@@ -13,8 +13,14 @@ std::string toString(CandidateState state);
 /// Display text of a state: "needed", "could explain", "ruled out", ...
 std::string describeState(CandidateState state);
 
+/// The state to show. Candidates of a diagnosis that added nothing were tested one by one: if several explain the
+/// misfit, none is needed for certain, and each could explain it.
+CandidateState shownState(const CandidateFinding& finding, const Diagnosis& diagnosis);
+
 /// The diagnosis as one or two sentences.
 std::string summarize(const Diagnosis& diagnosis);
+/// The sentence of a diagnosis without any fit, and the command that mends a suspected set-up.
+std::string summarizeUnfitted(const Diagnosis& diagnosis);
 
 /// Amplitude of a curve: "±0.30°".
 std::string formatAmplitude(const DriverCurve& curve);
@@ -24,5 +30,7 @@ bool isTold(const CandidateFinding& finding, std::size_t unknown);
 
 /// Estimates of a finding: "c = 0.34 ± 0.02°/Nm, t undetermined".
 std::string formatSizes(const CandidateFinding& finding);
+/// Sizes of a finding that are detected with 90 % power: "c = 0.02°/Nm".
+std::string formatDetectable(const CandidateFinding& finding);
 
 } // namespace naocal

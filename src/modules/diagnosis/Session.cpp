@@ -117,6 +117,16 @@ void Session::undo() {
   at = *before;
 }
 
+void Session::redo() {
+  for (std::size_t i = ladder.size(); i-- > 0;) {
+    if (ladder[i].from == at) {
+      at = i;
+      return;
+    }
+  }
+  throw InputError{"there is nothing to redo"};
+}
+
 void Session::goTo(std::size_t number) {
   if (number >= ladder.size()) {
     throw InputError{"there is no such step in the history"};

@@ -46,6 +46,8 @@ struct Session {
   void revise(ModelRevision changed, const std::string& step);
   /// Returns to the revision that the current one derives from. Throws InputError if there is none.
   void undo();
+  /// Goes to the newest revision that derives from the current one. Throws InputError if there is none.
+  void redo();
   /// Goes to any revision. Throws InputError if there is none of that number.
   void goTo(std::size_t number);
 };

@@ -115,9 +115,11 @@ void requireNumbers(const JsonCursor& entry) {
 json candidateJson(const JsonCursor& entry, const json& figures, const ErrorUnit& errors) {
   requireNumbers(entry);
   const std::size_t state = entry.at("state").wordIndex(candidateStates());
+  const auto shown = entry.find("shown"); // absent in files of earlier versions
   const auto why = entry.find("why"), step = entry.find("step"), plausible = entry.find("plausible");
   return {{"label", entry.at("effect").text() + "@" + entry.at("at").text()},
           {"state", std::string{candidateStates()[state]}},
+          {"shown", std::string{candidateStates()[shown ? shown->wordIndex(candidateStates()) : state]}},
           {"why", why ? why->text() : ""},
           {"setUp", !entry.find("evidence")},
           {"errorUnit", errors.name},

@@ -59,9 +59,7 @@ CalibrationResult calibrateOrSuspect(const Measurements& measurements, const Mod
     if (suspicion.anomalies.empty() || suspicion.anomalies.front().setUp.empty()) {
       throw;
     }
-    throw InputError{fmt::format("{} These captures cannot be fitted as they are: open the result of 'naocal solve SET "
-                                 "--with {} -o result.json'.",
-                                 suspicion.sentence, suspicion.anomalies.front().setUp)};
+    throw InputError{summarizeUnfitted(suspicion) + " Then open that result here."};
   }
 }
 

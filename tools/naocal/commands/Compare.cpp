@@ -1,6 +1,7 @@
 #include "commands/Commands.hpp"
 #include "console/CommandLine.hpp"
 #include "console/OutputFiles.hpp"
+#include "console/print/PrintComparison.hpp"
 #include "console/print/PrintText.hpp"
 
 #include "calibration/Prediction.hpp"
@@ -54,23 +55,7 @@ void compareSets(const CompareCommand& command) {
   if (command.json == "-") {
     return;
   }
-  if (comparison.all.corners > 0) {
-    printText(
-        "{} corners: prediction error {:.2f} px rms (median {:.2f} px); with the robot's drawing alone {:.2f} px rms"
-        "\n\n",
-        comparison.all.corners, comparison.all.rmsPx, comparison.all.medianPx, comparison.nominal.rmsPx);
-  }
-  if (!comparison.readings.empty()) {
-    printText("prediction error {}; with the robot's drawing alone {}\n\n", formatSizes(comparison.readings),
-              formatSizes(comparison.nominalReadings));
-  }
-  for (const auto& [title, groups] :
-       {std::pair{"board", &comparison.byBoard}, std::pair{"camera", &comparison.byCamera}}) {
-    for (const auto& [name, distances] : *groups) {
-      printText("  {:<7} {:<12} {:>7.2f} px rms {:>7.2f} px median {:>7} corners\n", title, name, distances.rmsPx,
-                distances.medianPx, distances.corners);
-    }
-  }
+  printComparison(comparison);
   if (versus) {
     printText(
         "\nthe other result: {:.2f} px rms. With the joints' random errors allowed for, {:.3f} px against {:.3f} px "

@@ -197,6 +197,7 @@ void Configuration::save(const std::set<std::vector<Mounted*>>& groups) {
       entry->changed.clear();
     }
   }
+  ++saveCount_;
 }
 
 void Configuration::saveTogether(std::vector<std::string> mounts) {

@@ -3,6 +3,8 @@
 #include "framework/configuration/AtomicWrite.hpp"
 #include "framework/configuration/ConfigurationLayers.hpp"
 
+#include <atomic>
+#include <cstddef>
 #include <functional>
 #include <map>
 #include <mutex>
@@ -58,6 +60,9 @@ public:
   /// Groups mounts: a save or undo of one of them applies to all, changed or not.
   void saveTogether(std::vector<std::string> mounts);
 
+  /// Number of saves so far that were asked for.
+  std::size_t saveCount() const { return saveCount_; }
+
   /// No unsaved changes: every key has the value in the files.
   bool isSaved(std::string_view mount) const;
 
@@ -92,6 +97,7 @@ private:
   mutable std::mutex mutex_;
   std::map<std::string, std::unique_ptr<Mounted>, std::less<>> mounts_;
   std::vector<std::vector<std::string>> together_; // mounts
+  std::atomic<std::size_t> saveCount_ = 0;
 };
 
 } // namespace naocal

@@ -13,7 +13,7 @@ export function candidateDetail(candidate, questions) {
     parts.push(element("p", {}, element("code", {}, effect.formula)), element("p", {class: "soft"}, "Plausible (1 sigma): " +
       effect.unknowns.map(({name: unknown, sigma, unit}) => unknown + " ± " + withUnit(short(sigma), unit)).join(", ") + "."));
   }
-  const said = candidate.says ?? candidate.state, facts = [[stateName(said), stateWords(said)]], isTested = candidate.state !== "no-data" && !candidate.setUp;
+  const facts = [[stateName(candidate.shown), stateWords(candidate.shown)]], isTested = candidate.state !== "no-data" && !candidate.setUp;
   if (candidate.why) facts.push(["why", candidate.why]);
   if (isTested) {
     facts.push(["size", candidate.sizes.map(sizeWords).join(", ") + (candidate.plausible ? "" : ": larger than plausible")]);

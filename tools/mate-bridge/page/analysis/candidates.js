@@ -17,7 +17,7 @@ export function showLearn(parent) {
     return;
   }
   const again = () => showLearn(parent);
-  const candidates = inWords(questions.candidates), chosen = ofState(candidates, shown.state);
+  const {candidates} = questions, chosen = ofState(candidates, shown.state);
   const looked = candidates.find(({label}) => label === shown.label) || candidates[0];
   parent.replaceChildren(
     verdict(questions),
@@ -27,10 +27,6 @@ export function showLearn(parent) {
         button("CSV", () => save(candidates), {class: "small"})), table(chosen, candidates, looked, again), ...together(questions)),
       element("div", {class: "looked"}, ...(looked ? candidateDetail(looked, questions) : []))));
 }
-
-// Candidates are tested one by one here: if several explain the misfit, none is shown as needed.
-const inWords = candidates => candidates.filter(({state}) => state === "present").length < 2 ? candidates
-  : candidates.map(one => one.state === "present" ? {...one, says: "aliased"} : one);
 
 function verdict(questions) {
   const {headline, sentence} = questions, stem = headline.replace(/\.$/, "");

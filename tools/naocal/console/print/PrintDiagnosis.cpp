@@ -68,7 +68,7 @@ void printCurves(const Diagnosis& diagnosis) {
 
 } // namespace
 
-void printCandidates(const Diagnosis& diagnosis) {
+void printCandidates(const Diagnosis& diagnosis, bool areNumbered) {
   constexpr std::size_t shown = 8;
   double most = 0;
   for (const CandidateFinding& finding : diagnosis.ranking) {
@@ -84,9 +84,9 @@ void printCandidates(const Diagnosis& diagnosis) {
     const std::string fall = finding.chi2Drop ? fmt::format("; chi2 fell by {:.0f} on adding it, predicted {:.0f}",
                                                             *finding.chi2Drop, finding.evidence.likelihoodRatio)
                                               : "";
-    printText("  {:32} {} {:8.1f}  {:19} {}{}\n", finding.term.label(),
+    printText("  {}{:32} {} {:8.1f}  {:19} {}{}\n", areNumbered ? fmt::format("{}  ", i + 1) : "", finding.term.label(),
               bar(std::max(0.0, finding.evidence.bayes), most, 14), finding.evidence.bayes,
-              describeState(finding.state), formatSizes(finding), fall);
+              describeState(shownState(finding, diagnosis)), formatSizes(finding), fall);
   }
   std::size_t absorbed = 0, noData = 0, inconclusive = 0;
   for (const CandidateFinding& finding : diagnosis.ranking) {
@@ -98,6 +98,38 @@ void printCandidates(const Diagnosis& diagnosis) {
       "  {} candidates in all: {} not testable with these poses, {} without recorded data, {} undecided (they may be "
       "present, but too small to be seen here)\n",
       diagnosis.ranking.size(), absorbed, noData, inconclusive);
+}
+
+void printCandidate(const CandidateFinding& finding, const Diagnosis& diagnosis) {
+  const auto line = [](const char* what, const std::string& words) {
+    if (!words.empty()) {
+      printText("  {:22} {}\n", what, words);
+    }
+  };
+  const auto error = [&](const std::optional<double>& px) {
+    return px ? fmt::format("{:.3f} {}", diagnosis.unit.perPx * *px, diagnosis.unit.name) : "-";
+  };
+  printText("{}: {}\n", finding.term.label(), finding.term.effect.description);
+  line("state", describeState(shownState(finding, diagnosis)));
+  if (finding.state == CandidateState::noData) {
+    line("why", finding.why);
+    return;
+  }
+  line("size", formatSizes(finding) + (finding.plausible ? "" : "; larger than plausible"));
+  const std::string detectable = formatDetectable(finding);
+  line("smallest detectable", detectable.empty() ? "" : detectable + " (90 % power)");
+  line("evidence", fmt::format("{:.1f} (2 ln of the Bayes factor); by chance in {:.2g} of cases, as a single candidate",
+                               finding.evidence.bayes, finding.evidence.pValue));
+  line("chi2", fmt::format("would fall by {:.1f}{}", finding.evidence.likelihoodRatio,
+                           finding.chi2Drop ? fmt::format("; fell by {:.1f} on refitting", *finding.chi2Drop) : ""));
+  line("moves corners by", // computed for likely effects only
+       finding.evidence.movedPx > 0 ? fmt::format("{:.3f} px rms", finding.evidence.movedPx) : "");
+  line("signature", fmt::format("{:.0f} % of it is unique; other parameters can mimic the rest",
+                                100 * finding.evidence.keptFraction));
+  if (finding.heldOutBefore && finding.heldOutAfter) {
+    line("held-out error", error(finding.heldOutBefore) + " -> " + error(finding.heldOutAfter));
+  }
+  line("cannot be told from", fmt::format("{}", fmt::join(finding.equivalent, ", ")));
 }
 
 void printDiagnosis(const Diagnosis& diagnosis, const GivenOptions& asked) {

@@ -16,8 +16,11 @@ void printDiagnosis(const Diagnosis& diagnosis, const GivenOptions& asked);
 /// `file` that holds it. `isThere`: an expression fits the curve.
 void printOwnEffectHint(bool isThere, const Diagnosis& diagnosis, const GivenOptions& asked, const std::string& file);
 
-/// Prints the candidates only.
-void printCandidates(const Diagnosis& diagnosis);
+/// Prints the candidates only; `areNumbered`: with the numbers of their rows.
+void printCandidates(const Diagnosis& diagnosis, bool areNumbered = false);
+
+/// Prints everything known about one candidate.
+void printCandidate(const CandidateFinding& finding, const Diagnosis& diagnosis);
 
 /// Prints the open questions and the command that proposes poses, or, if poses were written to `file`, their benefit.
 void printNextPoses(const NextPoses& next, GivenOptions asked, const std::string& file);

@@ -141,8 +141,8 @@ export interface SignaturePicture {
 export interface Candidate {
   label: string;
   state: string;
-  /** The state whose words are shown, where it is not `state`. */
-  says?: string;
+  /** The state whose words are shown. */
+  shown: string;
   why: string;
   /** A suspected set-up: it has a reason and no numbers. */
   setUp: boolean;

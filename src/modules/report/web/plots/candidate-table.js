@@ -9,11 +9,8 @@ import {allStates, chance, detectableWords, percent, short, sized, sizeWords, st
 /** @param {Candidate} candidate */
 const isTested = ({state, setUp}) => state !== "no-data" && !setUp;
 
-/** The displayed state of a candidate. @param {Candidate} candidate */
-const said = ({says, state}) => says ?? state;
-
 /** @param {Candidate} candidate */
-export const stateChip = candidate => element("span", {class: "state " + candidate.state}, stateName(said(candidate)));
+export const stateChip = candidate => element("span", {class: "state " + candidate.state}, stateName(candidate.shown));
 
 /** Splits a label after its at sign, where a line may break: "elasticity@", "LKneePitch". @param {string} label */
 export const brokenLabel = label => label.split(/(?<=@)/).flatMap((part, i) => i ? [element("wbr"), part] : [part]);
@@ -55,8 +52,8 @@ export const remarks = ({state, why, equivalent, plausible}) => [why,
 function candidateTip(candidate) {
   const {label, sizes, power, kept, evidence, pValue, predictedDrop, realDrop, before, after, step, errorUnit, setUp} = candidate;
   if (setUp) return label + "\na suspected set-up: " + candidate.why;
-  if (!isTested(candidate)) return label + "\n" + stateTip(said(candidate));
-  return [label, stateTip(said(candidate)), "evidence " + (evidence === null ? "–" : tenths(evidence)) + ", alone " + chance(pValue || 0) +
+  if (!isTested(candidate)) return label + "\n" + stateTip(candidate.shown);
+  return [label, stateTip(candidate.shown), "evidence " + (evidence === null ? "–" : tenths(evidence)) + ", alone " + chance(pValue || 0) +
     (step ? ", after " + step + " additions" : ""),
   ...sizes.map(size => sizeWords(size) + (size.detectable === null ? "" : "; smallest detectable " + detectableWords(size))),
   "chance to notice a plausible size: " + percent(power ?? 0), "share that other parameters cannot mimic: " + percent(kept ?? 0),

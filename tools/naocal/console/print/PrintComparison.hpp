@@ -1,0 +1,10 @@
+#pragma once
+
+#include "calibration/Prediction.hpp"
+
+namespace naocal {
+
+/// Prints how well a result predicts captures: all of them, and by board and camera.
+void printComparison(const Comparison& comparison);
+
+} // namespace naocal
