@@ -4,6 +4,7 @@
 #include "calibration/Prediction.hpp"
 #include "calibration/result/ResultFile.hpp"
 #include "diagnosis/DiagnosisFile.hpp"
+#include "diagnosis/DiagnosisWording.hpp"
 #include "diagnosis/Session.hpp"
 #include "diagnosis/anomalies/SetUps.hpp"
 #include "effects/UserEffect.hpp"
