@@ -87,6 +87,9 @@ TEST_CASE("what a page asks for goes by its verb, and what the bridge does not k
   }
   CHECK_THAT(page.refusal({{"do", "run"}, {"words", {"rm", "-r"}}}), Contains("expected one of naocal's commands"));
   CHECK_THAT(page.refusal({{"do", "connect"}, {"robot", "a b"}}), Contains("expected a robot's name"));
+  CHECK_THAT(page.refusal({{"do", "importWrite"}}), Contains("expected a dropped table or URDF, found none"));
+  CHECK_THAT(page.refusal({{"do", "importChoose"}, {"choices", {{"robot", "a.urdf"}}}}), Contains("found none"));
+  CHECK(page.refusal({{"do", "importEnd"}}).empty());
   const std::vector<Json> ended = page.answers(R"({"do": "endRun"})");
   REQUIRE(ended.size() == 1);
   CHECK(ended[0]["kind"] == "errand");

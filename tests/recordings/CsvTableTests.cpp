@@ -37,6 +37,16 @@ TEST_CASE("a table is read as spreadsheets, scripts and numpy write it") {
   CHECK_FALSE(gaps.number(1, 1));
 }
 
+TEST_CASE("a table is in UTF-8 or else in ISO 8859-1") {
+  // Proves names and cells of both; of the second also what is nearly UTF-8, a surrogate and a letter that is cut off.
+  CHECK(CsvTable{"q1 [°],n\n1,ä\n", "log.csv"}.names().at(0) == "q1 [°]");
+  CHECK(CsvTable{"q1 [°],n\n1,ä\n", "log.csv"}.text(0, 1) == "ä");
+  CHECK(CsvTable{"q1 [\xb0],n\n1,\xe4\n", "log.csv"}.names().at(0) == "q1 [°]");
+  CHECK(CsvTable{"q1 [\xb0],n\n1,\xe4\n", "log.csv"}.text(0, 1) == "ä");
+  CHECK(CsvTable{"a\n\xed\xa0\x80\n", "log.csv"}.text(0, 0) == "í\xc2\xa0\xc2\x80");
+  CHECK(CsvTable{"a\nb\xc2", "log.csv"}.text(0, 0) == "bÂ");
+}
+
 TEST_CASE("a table that is none is refused with row, expected and found") {
   struct Broken {
     std::string text, sentence;

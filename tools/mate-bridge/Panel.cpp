@@ -47,8 +47,9 @@ struct Panel::Implementation {
                 },
                 [this](std::size_t panel, const std::string& text) { received(panel, text); }}},
         runner{context, findProgram("naocal"), [this](const std::string& json) { server.sendAll(makeMessage(json)); }},
-        start{context, options.recentFiles, startCalls()}, lookIn{std::move(options.lookIn)},
-        history{std::move(options.runs), historyCalls()} {
+        start{context, options.recentFiles, startCalls()}, lookIn{std::move(options.lookIn)}, history{std::move(
+                                                                                                          options.runs),
+                                                                                                      historyCalls()} {
     signals.async_wait([this](boost::system::error_code, int) { context.stop(); });
     for (const std::string& robot : options.robots) {
       robots.connect(robot);
@@ -88,9 +89,13 @@ struct Panel::Implementation {
 
   StartPage::Calls startCalls() {
     return {[this](const std::string& json) { server.sendAll(makeMessage(json)); },
-            [this](const std::vector<std::string>& paths) {
-              analysis.open(
-                  paths, [this](const std::string& why) { refuseAll(why); }, [] {}, lookIn);
+            [this](std::size_t panel, const std::string& json) { server.send(panel, makeMessage(json)); },
+            [this](const std::vector<std::string>& paths, std::function<void(const std::string& why)> refused,
+                   std::function<void()> opened) {
+              if (!refused) {
+                refused = [this](const std::string& why) { refuseAll(why); };
+              }
+              analysis.open(paths, std::move(refused), std::move(opened), lookIn);
             },
             [this](const std::string& robot) { robots.connect(robot); },
             [this](const std::string& robot) { robots.disconnect(robot); }};
@@ -286,6 +291,19 @@ struct Panel::Implementation {
          [](const Request& request) {
            request.answer("uploaded", request.bridge.start.addUpload(request.panel, request.attached));
          }},
+        {"importChoose",
+         [](const Request& request) { request.bridge.start.imports().choose(request.panel, request.at("choices")); }},
+        {"importColumn",
+         [](const Request& request) {
+           request.bridge.start.imports().assign(request.panel, request.at("column"), request.at("meaning"),
+                                                 request.at("unit"));
+         }},
+        {"importColumns",
+         [](const Request& request) {
+           request.bridge.start.imports().setColumns(request.panel, request.at("columns"));
+         }},
+        {"importWrite", [](const Request& request) { request.bridge.start.imports().write(request.panel); }},
+        {"importEnd", [](const Request& request) { request.bridge.start.imports().end(request.panel); }},
         // the terminal's commands
         {"run", [](const Request& request) { request.bridge.runner.run(request.at("words")); }},
         {"endRun", [](const Request& request) { request.bridge.runner.end(); }},

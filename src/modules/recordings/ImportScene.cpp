@@ -1,8 +1,11 @@
 #include "recordings/ImportScene.hpp"
 
+#include "data/BoardListFile.hpp"
 #include "data/CaptureSetFile.hpp"
 #include "io/Files.hpp"
 #include "io/InputError.hpp"
+#include "recordings/CameraModelFile.hpp"
+#include "robot/Urdf.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -23,6 +26,37 @@ std::vector<std::string> linkNames(const Robot& robot) {
 }
 
 } // namespace
+
+ImportScene readImportScene(const SceneSources& sources) {
+  ImportScene scene;
+  scene.urdf = readFile(sources.robot);
+  scene.robot = parseUrdf(scene.urdf, sources.robot);
+  scene.camera = sources.camera;
+  scene.cameraLink = sources.cameraLink;
+  if (!sources.cameraModel.empty()) {
+    scene.lens = readCameraModel(sources.cameraModel);
+  }
+  const bool isLink = sources.boardLink == "world" || sources.boardLink == "floor" ||
+                      scene.robot.linkIndex(sources.boardLink).has_value();
+  if (!isLink) {
+    throw InputError{fmt::format("--board-link: expected \"world\", \"floor\" or a link of {}, found \"{}\"",
+                                 sources.robot, printableText(sources.boardLink, 80))};
+  }
+  if (!sources.boards.empty()) {
+    scene.boards = readBoards(sources.boards);
+    for (Board& board : scene.boards) {
+      board.link = sources.boardLink;
+    }
+  }
+  return scene;
+}
+
+void requireBoards(const ImportScene& scene) {
+  if (scene.boards.empty()) {
+    throw InputError{"--boards: expected a file with the boards in the pictures, found none; naocal board writes one, "
+                     "and a board to print"};
+  }
+}
 
 ImportedSet beginImport(const ImportScene& scene, std::vector<std::string> jointNames) {
   ImportedSet imported;

@@ -21,6 +21,23 @@ struct ImportScene {
   std::vector<Board> boards;            // with their links
 };
 
+/// Where a scene is read from, as the options of `naocal import` give it.
+struct SceneSources {
+  std::string robot;               // file of the URDF
+  std::string camera = "camera";   // its name in the set
+  std::string cameraModel;         // file of the lens; empty: none
+  std::string cameraLink;          // as in ImportScene
+  std::string boards;              // file of the boards; empty: none
+  std::string boardLink = "world"; // link that carries the boards, "world" or "floor"
+};
+
+/// Reads a scene. Throws InputError with file or option, expected and found: as the readers of URDFs, lenses and boards
+/// do, and for a link of boards that the URDF does not have.
+ImportScene readImportScene(const SceneSources& sources);
+
+/// Throws InputError, which says how to give them, without boards in the scene: pictures are of boards.
+void requireBoards(const ImportScene& scene);
+
 /// An imported set, and the files beside its captures.json.
 struct ImportedSet {
   CaptureSet set;

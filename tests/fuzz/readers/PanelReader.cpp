@@ -64,7 +64,7 @@ private:
 /// Whether a message may have effects outside the bridge: on files, other programs or the network.
 bool reachesOut(const Json& message) {
   const Json verb = message.is_object() ? message.value("do", Json()) : Json();
-  return verb == "run" || verb == "connect" || verb == "open" || verb == "compare";
+  return verb == "run" || verb == "connect" || verb == "open" || verb == "compare" || verb == "importChoose";
 }
 
 /// Every line is a message of a page; effects are checked for a set of captures as well.

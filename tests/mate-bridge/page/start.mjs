@@ -1,5 +1,5 @@
-// Drives the start page in a real browser: the tour on the sample, recent files, dropped files, robots that are looked
-// for, a simulated robot, boards to print; dialogs, notices, terms, and narrow windows.
+// Drives the start page in a real browser: the tour on the sample, recent files, dropped files, dropped tables that are
+// imported, robots that are looked for, a simulated robot, boards to print; dialogs, notices, terms, and narrow windows.
 // Proves that page and bridge offer them together; calibrations on robots and numbers are not tested.
 // Usage: node start.mjs NAOCAL MATE-BRIDGE NODE_MODULES PICTURES
 import {chmodSync, existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync} from "node:fs";
@@ -136,6 +136,75 @@ check(await recent.count() === 1, "uploaded files are not listed");
 await click("forget a set");
 await recent.waitFor({state: "detached"});
 check(existsSync(join(here, "a set/captures.json")), "a forgotten set stays where it is");
+
+// A table that is dropped is imported: the columns as they are guessed first, with what belongs to it.
+const urdf = `<robot name="arm"><link name="base"/><link name="upper"/><link name="fore"/><link name="hand"/>
+${[["pan", "base", "upper", "0 0 0.3", "0 0 1"], ["lift", "upper", "fore", "0.1 0 0", "0 1 0"], ["elbow", "fore", "hand", "0.4 0 0", "0 1 0"]].map(([name, parent, child, xyz, axis]) =>
+    `<joint name="${name}" type="revolute"><parent link="${parent}"/><child link="${child}"/><origin xyz="${xyz}"/><axis xyz="${axis}"/><limit lower="-2" upper="2" velocity="3" effort="1"/></joint>`).join("\n")}</robot>`;
+writeFileSync(join(here, "arm.urdf"), urdf);
+writeFileSync(join(here, "scene.json"), JSON.stringify({format: "naocal-scene", version: 1, robot: {urdf: "arm.urdf"}, trackers: {laser: {sigma: 0.0002, about: {x: 2, y: 0.3, z: 1, yaw: 3}}},
+  markers: [{id: "a", link: "hand", about: [0.1, 0.05, 0.02]}, {id: "b", link: "hand", about: [-0.03, 0.04, 0.1]}]}));
+run(naocal, "simulate", join(here, "arm"), "--robot", join(here, "arm.urdf"), "--scene", join(here, "scene.json"), "--poses", "15", "--samples", "1", "--seed", "3");
+const {captures} = JSON.parse(readFileSync(join(here, "arm/captures.json"), "utf8"));
+const log = [["time", "q1", "q2", "q3", ...captures[0].points.flatMap(({marker}) => ["x", "y", "z"].map(axis => marker + "_" + axis)), "operator"],
+  ...captures.map(({time, joints, points}) => [time, ...joints.measured.map(angle => angle * 180 / Math.PI), ...points.flatMap(({xyz}) => xyz.map(metres => metres * 1000)), "Ann"])].map(row => row.join(",") + "\n").join("");
+const drop = async files => page.dispatchEvent("body", "drop", {dataTransfer: await page.evaluateHandle(all => {
+  const data = new DataTransfer();
+  for (const [name, text] of all) data.items.add(new File([text], name));
+  return data;
+}, files)});
+const imports = page.getByRole("dialog", {name: "import a table"}), importIt = imports.getByRole("button", {name: "Import and open"});
+await drop([["arm.urdf", urdf]]);
+await happens(imports.getByText("arm.urdf describes a robot with 3 joints (pan, lift, elbow). Drop a table").waitFor(), "a URDF alone is described, and what belongs to it is asked for");
+check(await importIt.isDisabled() && await focused() === "Not now", "it alone cannot be imported");
+await page.keyboard.press("Tab");
+check(await imports.locator("input").first().evaluate(one => one === document.activeElement), "Tab reaches what is asked for");
+await page.screenshot({path: join(pictures, "import-urdf.png")});
+await page.keyboard.press("Escape");
+await imports.waitFor({state: "detached"});
+await drop([["log.csv", log]]);
+await happens(imports.getByText("log.csv has 15 rows of 11 columns. Drop the robot's URDF").waitFor(), "a table alone is described, and its robot asked for");
+await imports.getByLabel("Robot's URDF").fill(join(here, "none.urdf"));
+await page.keyboard.press("Tab");
+await happens(imports.getByText("none.urdf").and(imports.getByRole("alert")).waitFor(), "a path where no URDF is is refused in the dialog");
+await drop([["arm.urdf", urdf]]);
+await imports.locator("#import-robot").selectOption("arm.urdf");
+const meaningOf = column => imports.getByLabel("meaning of " + column, {exact: true}), unitOf = column => imports.getByLabel("unit of " + column, {exact: true});
+const chosenIn = select => select.evaluate(one => one.selectedOptions[0].textContent);
+await meaningOf("q1").waitFor();
+check(await chosenIn(meaningOf("q1")) === "angle of joint pan" && await unitOf("q1").inputValue() === "deg", "the guess is shown: q1 is the " + await chosenIn(meaningOf("q1")));
+check(await chosenIn(meaningOf("a_z")) === "z of marker a, measured by tracker" && await unitOf("a_z").inputValue() === "mm", "a_z is " + await chosenIn(meaningOf("a_z")));
+check(await chosenIn(meaningOf("operator")) === "not used", "a column without a meaning is not used");
+await portrait(page, axe, pictures, "import");
+await unitOf("q1").selectOption("rad");
+await importIt.click();
+await happens(imports.getByText(/row 2, column "q1": expected an angle of joint pan.*are these degrees\?/).waitFor(), "what is wrong is refused in the dialog, in the library's words");
+await page.screenshot({path: join(pictures, "import-refused.png")});
+await unitOf("q1").selectOption("deg");
+await imports.locator("summary").click();
+const map = imports.getByLabel("column map");
+await map.fill((await map.inputValue()).replace(/"marker": "a"/, '"marker": "tip"'));
+await imports.getByRole("button", {name: "Use this column map"}).click();
+check(await until(async () => await chosenIn(meaningOf("a_x")) === "x of marker tip, measured by tracker"), "the column map can be written");
+const kept = join(here, "imported set");
+await imports.getByLabel("Write the set to").fill(kept);
+await importIt.click();
+await happens(page.getByRole("heading", {name: "Where the prediction fails"}).waitFor(), "the imported set is opened");
+await imports.waitFor({state: "detached"});
+await page.getByText("15 rows, 15 captures.").waitFor();
+const made = JSON.parse(readFileSync(join(kept, "captures.json"), "utf8"));
+check(made.captures.length === 15 && made.markers.some(({id}) => id === "tip"), "and written where it was asked to be");
+await tab("Home");
+check((await recent.allInnerTexts()).some(text => text.includes("imported set")), "there it is a recent file");
+await click("forget imported set");
+await recent.waitFor({state: "detached"});
+await drop([["arm.urdf", urdf], ["log.csv", log.replace("operator", "photo").replaceAll("Ann", "0.png")], ["0.png", "no picture"]]);
+await imports.getByLabel("Printed boards").waitFor();
+await importIt.click();
+await happens(imports.getByText("--boards: expected a file with the boards in the pictures, found none").waitFor(), "a table with pictures asks for boards, lens and links");
+await page.screenshot({path: join(pictures, "import-pictures.png")});
+await imports.getByRole("button", {name: "Not now"}).click();
+await imports.waitFor({state: "detached"});
 
 // Robots that are looked for: listed addresses, and announced ones.
 const addresses = page.getByLabel("addresses of robots, one per line");

@@ -82,7 +82,8 @@ TEST_CASE("dropped files cannot leave their folder, nor be more or larger than i
   CHECK(refusal(Json::array({announced("set/robot.urdf")})).empty());
   CHECK_THAT(refusal(Json::array({announced(std::string(256, 'x') + ".json")})), Contains("expected names"));
   for (const char* const name : {"a.sh", "a", "a.json.exe", ".json"}) {
-    CHECK_THAT(refusal(Json::array({announced(name)})), Contains("expected .json files, a .urdf and pictures"));
+    CHECK_THAT(refusal(Json::array({announced(name)})),
+               Contains("expected .json files, a .urdf and pictures, or a table"));
   }
   CHECK_THAT(refusal(Json::array({announced("a.json"), announced("a.json")})), Contains("twice"));
   CHECK_THAT(refusal(Json::array({announced("a.json", 0), announced("a.json/b.json")})),
@@ -105,4 +106,43 @@ TEST_CASE("more bytes than announced are refused, and files that say nothing") {
   DroppedFiles dropped{Json::array({announced("a.png", 2)})};
   CHECK_THROWS_WITH(dropped.append("abc"), Contains("no more bytes than announced"));
   CHECK_THROWS_WITH(dropped.paths(), Contains("expected a folder with captures.json"));
+}
+
+TEST_CASE("a table or a URDF without a capture set is to be imported") {
+  // Proves it for folders and endings in capitals, and that captures, results and lenses alone are not.
+  const auto isImport = [](const std::vector<std::string>& names) {
+    Json files = Json::array();
+    for (const std::string& name : names) {
+      files.push_back(announced(name));
+    }
+    return DroppedFiles{files}.holdsImport();
+  };
+  CHECK(isImport({"log.csv"}));
+  CHECK(isImport({"a run/LOG.CSV", "a run/pictures/1.png"}));
+  CHECK(isImport({"arm.urdf"}));
+  CHECK(isImport({"arm.urdf.xacro"}));
+  CHECK_FALSE(isImport({"set/captures.json", "set/robot.urdf", "set/log.csv"}));
+  CHECK_FALSE(isImport({"lens.yaml", "a.png", "boards.json"}));
+}
+
+TEST_CASE("files that are added count with those before, and replace those of the same name") {
+  // Proves contents, amounts, the limits of both together at the boundary, and a folder that is called like a file.
+  DroppedFiles first{Json::array({announced("log.csv", 2), announced("p/1.png", 1)})};
+  first.append("abc");
+  DroppedFiles second{Json::array({announced("log.csv", 3), announced("p/2.png", 1)}), first.amount()};
+  second.append("defg");
+  first.add(second);
+  CHECK(readFile(first.folder() / "log.csv") == "def");
+  CHECK(readFile(first.folder() / "p/1.png") == "c");
+  CHECK(readFile(first.folder() / "p/2.png") == "g");
+  CHECK(first.amount().files == 3);
+  CHECK(first.amount().bytes == 5);
+  CHECK(first.isComplete());
+  const DroppedFiles::Amount full{DroppedFiles::mostFiles - 1, DroppedFiles::mostBytes - 1};
+  CHECK_NOTHROW(DroppedFiles{Json::array({announced("a.csv", 1)}), full});
+  CHECK_THROWS_WITH((DroppedFiles{Json::array({announced("a.csv", 2)}), full}), Contains("1024 MB"));
+  CHECK_THROWS_WITH((DroppedFiles{Json::array({announced("a.csv", 0), announced("b.csv", 0)}), full}),
+                    Contains("found 10001"));
+  DroppedFiles clash{Json::array({announced("log.csv/1.png", 0)})};
+  CHECK_THROWS_WITH(first.add(clash), Contains("called like a file"));
 }

@@ -19,7 +19,8 @@ struct OpeningDesk {
   boost::asio::io_context context;
   StartPage page{context,
                  {},
-                 {[](const std::string&) {}, [this](const std::vector<std::string>& paths) { opened.push_back(paths); },
+                 {[](const std::string&) {}, [](std::size_t, const std::string&) {},
+                  [this](const std::vector<std::string>& paths, const auto&, const auto&) { opened.push_back(paths); },
                   [](const std::string&) {}, [](const std::string&) {}}};
 };
 

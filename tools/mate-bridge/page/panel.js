@@ -25,6 +25,7 @@ import {leaveLive, onMessage as onLiveMessage, showLive} from "./robots/live.js"
 import {onMessage as onRobotMessage, selectedRobot} from "./robots/robots.js";
 import {endUpload, onUpload, takeDrops} from "./start/drop.js";
 import {showHome} from "./start/home.js";
+import {endImport, refreshImport} from "./start/import.js";
 import {refreshTour, startTour} from "./start/tour.js";
 
 
@@ -258,10 +259,14 @@ offerViews([...views.filter(({analysis}) => analysis).map(({name, show, has}) =>
 addEventListener("hashchange", open);
 const linked = connected => showLink(connected, () => {
   endUpload();
+  endImport();
   if (current && !current.analysis) draw();
 });
 linked(false);
 takeDrops();
-onUpload(() => { if (current?.id === "home") draw(); });
+onUpload(() => {
+  if (current?.id === "home") draw();
+  refreshImport();
+});
 explainAlways([at("view"), at("model")]);
 connect(linked);

@@ -31,32 +31,45 @@ void requireName(const std::string& name) {
   }
 }
 
-/// Throws InputError unless the file is a document, a robot's drawing or a picture.
-void requireKind(const std::string& name) {
-  constexpr std::array<std::string_view, 10> kinds{".json", ".urdf", ".png", ".jpg", ".jpeg",
-                                                   ".pgm",  ".ppm",  ".bmp", ".tif", ".tiff"};
+/// The ending of a file's name in lower case.
+std::string endingOf(const std::string& name) {
   std::string ending = std::filesystem::path{name}.extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  if (std::find(kinds.begin(), kinds.end(), ending) == kinds.end()) {
+  return ending;
+}
+
+/// Throws InputError unless the file is a document, a table, a robot's description, a lens or a picture.
+void requireKind(const std::string& name) {
+  constexpr std::array<std::string_view, 16> kinds{".json", ".urdf",        ".xacro", ".csv", ".yaml", ".yml",
+                                                   ".xml",  ".cameramodel", ".png",   ".jpg", ".jpeg", ".pgm",
+                                                   ".ppm",  ".bmp",         ".tif",   ".tiff"};
+  if (std::find(kinds.begin(), kinds.end(), endingOf(name)) == kinds.end()) {
     throw InputError{
-        fmt::format("dropped files: expected .json files, a .urdf and pictures, found \"{}\"; leave it out", name)};
+        fmt::format("dropped files: expected .json files, a .urdf and pictures, or a table (.csv) with its "
+                    "robot's .urdf and a lens (.yaml, .xml, .cameramodel), found \"{}\"; leave it out",
+                    name)};
   }
+}
+
+bool isCaptureSet(const std::string& name) {
+  return std::filesystem::path{name}.filename() == "captures.json";
 }
 
 bool isDocument(const std::filesystem::path& file) {
   const std::string name = file.filename().string();
-  return name.ends_with(".json") && !name.ends_with(".truth.json") && name != "captures.json";
+  return name.ends_with(".json") && !name.ends_with(".truth.json") && !isCaptureSet(name);
 }
 
 } // namespace
 
-DroppedFiles::DroppedFiles(const nlohmann::json& announced) {
-  if (!announced.is_array() || announced.empty() || announced.size() > mostFiles) {
-    throw InputError{fmt::format("dropped files: expected 1 to {} files, found {}", mostFiles, announced.size())};
+DroppedFiles::DroppedFiles(const nlohmann::json& announced, const Amount& before) {
+  if (!announced.is_array() || announced.empty() || announced.size() + before.files > mostFiles) {
+    throw InputError{
+        fmt::format("dropped files: expected 1 to {} files, found {}", mostFiles, announced.size() + before.files)};
   }
   std::set<std::string> names;
-  std::uintmax_t all = 0;
+  std::uintmax_t all = before.bytes;
   for (const nlohmann::json& entry : announced) {
     File file{entry.at("name"), entry.at("bytes")};
     requireName(file.name);
@@ -117,6 +130,54 @@ void DroppedFiles::append(std::string_view part) {
   }
 }
 
+std::vector<std::string> DroppedFiles::names() const {
+  std::vector<std::string> names;
+  for (const File& file : files_) {
+    names.push_back(file.name);
+  }
+  return names;
+}
+
+DroppedFiles::Amount DroppedFiles::amount() const {
+  Amount amount{files_.size(), 0};
+  for (const File& file : files_) {
+    amount.bytes += file.bytes;
+  }
+  return amount;
+}
+
+bool DroppedFiles::holdsSet() const {
+  return std::any_of(files_.begin(), files_.end(), [](const File& file) { return isCaptureSet(file.name); });
+}
+
+bool DroppedFiles::holdsImport() const {
+  return !holdsSet() && std::any_of(files_.begin(), files_.end(), [](const File& file) {
+    const std::string ending = endingOf(file.name);
+    return ending == ".csv" || ending == ".urdf" || ending == ".xacro";
+  });
+}
+
+void DroppedFiles::add(DroppedFiles& further) {
+  std::set<std::string> replaced;
+  for (const File& file : further.files_) {
+    const std::filesystem::path to = folder_.path() / file.name;
+    std::error_code error;
+    std::filesystem::create_directories(to.parent_path(), error);
+    if (!error) {
+      std::filesystem::rename(further.folder_.path() / file.name, to, error);
+    }
+    if (error) {
+      throw InputError{fmt::format("{}: cannot be put beside the files that were dropped before; is there room, and is "
+                                   "no folder called like a file?",
+                                   file.name)};
+    }
+    replaced.insert(file.name);
+  }
+  std::erase_if(files_, [&](const File& file) { return replaced.contains(file.name); });
+  files_.insert(files_.end(), further.files_.begin(), further.files_.end());
+  next_ = files_.size();
+}
+
 std::vector<std::string> DroppedFiles::paths() const {
   std::vector<std::string> folders, documents;
   if (std::filesystem::exists(folder_.path() / "captures.json")) {
@@ -138,7 +199,8 @@ std::vector<std::string> DroppedFiles::paths() const {
   }
   folders.insert(folders.end(), documents.begin(), documents.end());
   if (folders.empty()) {
-    throw InputError{"dropped files: expected a folder with captures.json, a recording or a result, found neither"};
+    throw InputError{"dropped files: expected a folder with captures.json, a recording, a result, a table (.csv) or a "
+                     "URDF, found none"};
   }
   return folders;
 }

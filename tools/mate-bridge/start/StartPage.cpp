@@ -26,14 +26,26 @@ std::filesystem::path placeOf(const std::string& path) {
 } // namespace
 
 StartPage::StartPage(boost::asio::io_context& context, const std::filesystem::path& recentFiles, Calls calls)
-    : calls_{std::move(calls)}, recent_{recentFiles}, sample_{
-                                                          context,
-                                                          [this](const std::string& folder) { calls_.open({folder}); },
-                                                          [this] { changed(); }},
+    : calls_{std::move(calls)}, recent_{recentFiles}, sample_{context,
+                                                              [this](const std::string& folder) {
+                                                                calls_.open({folder}, {}, [] {});
+                                                              },
+                                                              [this] { changed(); }},
       robot_{context,
              {[this](const std::string& address) { calls_.connect(address); },
               [this](const std::string& address) { calls_.disconnect(address); }, [this] { changed(); }}},
-      search_{context, [this] { changed(); }} {}
+      search_{context, [this] { changed(); }},
+      imports_{context,
+               {[this](std::size_t panel, const std::string& json) { calls_.one(panel, json); },
+                [this](const DroppedTable::Written& written, std::function<void(const std::string& why)> refused,
+                       std::function<void()> done) {
+                  const std::vector<std::string> paths{written.set.string()};
+                  calls_.open(paths, std::move(refused),
+                              [this, paths, temporary = written.temporary, done = std::move(done)] {
+                                temporary ? keep(temporary) : opened(paths);
+                                done();
+                              });
+                }}} {}
 
 void StartPage::opened(const std::vector<std::string>& paths) {
   recent_.add(paths);
@@ -57,7 +69,7 @@ void StartPage::findRobots(const std::vector<std::string>& addresses) {
 
 void StartPage::beginUpload(std::size_t panel, const Json& files) {
   uploads_.erase(panel);
-  uploads_[panel] = std::make_unique<DroppedFiles>(files);
+  uploads_[panel] = std::make_unique<DroppedFiles>(files, imports_.amount(panel));
 }
 
 Json StartPage::addUpload(std::size_t panel, std::string_view part) {
@@ -79,13 +91,29 @@ Json StartPage::addUpload(std::size_t panel, std::string_view part) {
 }
 
 void StartPage::finishUpload(std::size_t panel) {
-  const std::vector<std::string> paths = uploads_.at(panel)->paths();
-  dropped_.push_back(std::move(uploads_.at(panel)));
+  std::unique_ptr<DroppedFiles> files = std::move(uploads_.at(panel));
   uploads_.erase(panel);
+  const bool isOfImport = files->holdsImport() || (imports_.has(panel) && !files->holdsSet());
+  if (isOfImport) {
+    return imports_.add(panel, std::move(files));
+  }
+  imports_.end(panel);
+  const std::vector<std::string> paths = files->paths();
+  keep(std::move(files));
+  calls_.open(paths, {}, [] {});
+}
+
+/// Keeps the folder of a dataset that is opened, and that of the one before it.
+void StartPage::keep(std::shared_ptr<const void> files) {
+  dropped_.push_back(std::move(files));
   if (dropped_.size() > mostDropped) {
     dropped_.pop_front();
   }
-  calls_.open(paths);
+}
+
+void StartPage::removePanel(std::size_t panel) {
+  uploads_.erase(panel);
+  imports_.end(panel);
 }
 
 std::optional<std::string> StartPage::boards(std::string_view name) {

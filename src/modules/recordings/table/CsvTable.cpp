@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/locale/utf.hpp>
 #include <charconv>
 #include <cmath>
 #include <csv.h>
@@ -21,6 +22,26 @@ std::string trimmed(std::string_view text) {
   constexpr std::string_view blank = " \t\r\n";
   const auto begin = text.find_first_not_of(blank), end = text.find_last_not_of(blank);
   return begin == std::string_view::npos ? "" : std::string{text.substr(begin, end - begin + 1)};
+}
+
+bool isUtf8(const std::string& text) {
+  namespace utf = boost::locale::utf;
+  for (auto at = text.begin(); at != text.end();) {
+    if (!utf::is_valid_codepoint(utf::utf_traits<char>::decode(at, text.end()))) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// ISO 8859-1, whose letters are the first code points, in UTF-8.
+std::string toUtf8(const std::string& latin) {
+  std::string text;
+  text.reserve(latin.size() + latin.size() / 8);
+  for (const char letter : latin) {
+    boost::locale::utf::utf_traits<char>::encode(static_cast<unsigned char>(letter), std::back_inserter(text));
+  }
+  return text;
 }
 
 /// The separator that the first line has most of.
@@ -79,7 +100,8 @@ ParsedRows parseRows(std::string_view text, char separator, const std::string& f
 } // namespace
 
 CsvTable::CsvTable(const std::string& text, std::string file) : file_{std::move(file)} {
-  std::string_view content{text};
+  const std::string converted = isUtf8(text) ? "" : toUtf8(text);
+  std::string_view content{converted.empty() ? text : converted};
   for (const std::string_view prefix : {"\xef\xbb\xbf", "#", " "}) { // byte order mark, numpy's comment
     if (content.starts_with(prefix)) {
       content.remove_prefix(prefix.size());

@@ -13,8 +13,9 @@ inline constexpr std::size_t mostTableColumns = 2000;
 class CsvTable {
 public:
   /// Parses comma-separated values (RFC 4180). Also accepts what spreadsheets and numpy write: semicolons or tabs
-  /// instead of commas, a byte order mark, "# " before the names. Throws InputError with `file`, row, expected and
-  /// found: no names, a repeated or an empty name, rows of another length, broken quotes, too many rows or columns.
+  /// instead of commas, a byte order mark, ISO 8859-1 instead of UTF-8, "# " before the names. Throws InputError with
+  /// `file`, row, expected and found: no names, a repeated or an empty name, rows of another length, broken quotes, too
+  /// many rows or columns.
   CsvTable(const std::string& text, std::string file);
 
   const std::string& file() const { return file_; }

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <numbers>
 
 namespace naocal {
@@ -48,8 +49,13 @@ public:
     if (names.empty()) {
       throw InputError{fmt::format("{}: expected columns of joints, found none in the column map", table_.file())};
     }
+    if (map_.image) {
+      requireBoards(scene_);
+    }
     TableImport result;
+    result.rows = table_.rows();
     result.imported = beginImport(scene_, names);
+    result.imported.files["columns.json"] = columnMapJson(map_).dump(2) + "\n";
     addInstruments(result.imported.set.instruments);
     for (std::size_t row = 0; row < table_.rows(); ++row) {
       Capture capture = readCapture(row, result.imported);
@@ -296,6 +302,14 @@ private:
 TableImport importTable(const CsvTable& table, const ColumnMap& map, const ImportScene& scene,
                         const std::filesystem::path& pictures) {
   return TableImporter{table, map, scene, pictures}.run();
+}
+
+std::vector<std::string> summarize(const TableImport& result) {
+  std::vector<std::string> lines{fmt::format("{} rows, {} captures", result.rows, result.imported.set.captures.size())};
+  if (result.withoutMeasurement > 0) {
+    lines.push_back(fmt::format("{} rows passed over: no picture, no measured position", result.withoutMeasurement));
+  }
+  return lines;
 }
 
 } // namespace naocal

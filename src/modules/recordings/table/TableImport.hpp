@@ -10,7 +10,8 @@ namespace naocal {
 
 /// A set made of a table, and what it was made of.
 struct TableImport {
-  ImportedSet imported;
+  ImportedSet imported; // with the column map as "columns.json"
+  std::size_t rows = 0;
   std::size_t withoutMeasurement = 0; // rows that were passed over: no picture, no position
 };
 
@@ -23,8 +24,11 @@ struct TableImport {
 ///
 /// Throws InputError with table, row, column, expected and found: missing columns, cells that are no numbers, angles
 /// beyond two turns of a limited joint in radians (degrees?), positions beyond 1 km, positions of which a coordinate is
-/// missing, quaternions far from unit length, pictures that are missing or none.
+/// missing, quaternions far from unit length, pictures that are missing or none; and without boards for pictures.
 TableImport importTable(const CsvTable& table, const ColumnMap& map, const ImportScene& scene,
                         const std::filesystem::path& pictures);
+
+/// What became of the rows, a clause each: "50 rows, 48 captures".
+std::vector<std::string> summarize(const TableImport& result);
 
 } // namespace naocal

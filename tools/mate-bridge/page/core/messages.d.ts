@@ -144,6 +144,37 @@ export interface StartMessage {
   robot: {state: "off" | "running" | "ending" | "failed", address: string, sentence: string};
 }
 
+/** A file to import: the name of a dropped one, or a path on this computer; and the dropped ones to choose from. */
+export interface ImportSource {
+  chosen: string;
+  found: string[];
+}
+
+/** "import": a table or a URDF that was dropped; null: it was imported, or given up. */
+export interface DroppedTable {
+  files: Record<"table" | "robot" | "columns" | "cameraModel" | "boards" | "pictures", ImportSource>;
+  cameraLink: string;
+  boardLink: string;
+  /** Folder for the set; empty: a temporary one. */
+  output: string;
+  links: string[];
+  /** Null without a table; no meanings without a robot. `map`: the text of the column map. */
+  columns: {
+    list: {name: string, examples: string[]}[];
+    meanings: {id: string, words: string, column: string, units: string[], unit: string}[];
+    map: string;
+  } | null;
+  hasPictures: boolean;
+  isReady: boolean;
+  sentence: string;
+  /** Why something was refused; may be empty. */
+  problem: string;
+  /** Dropped files that are nothing of this. */
+  ignored: string[];
+  /** The set is being written or opened. */
+  busy: boolean;
+}
+
 /** A run as it is recorded: a calibration, or a result that was applied. */
 export interface RecordedRun {
   id: string;

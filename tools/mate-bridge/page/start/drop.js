@@ -1,5 +1,5 @@
 // Files that are dropped on the page or chosen: they are sent to the bridge, which opens them.
-import {at, element} from "naocal/lib/dom.js";
+import {at, button, element} from "naocal/lib/dom.js";
 import {on, sendBytes} from "../core/connection.js";
 import {act, notice} from "../core/state.js";
 
@@ -8,6 +8,8 @@ import {act, notice} from "../core/state.js";
 const part = 512 << 10; // [bytes] of a message; the bridge takes 1 MiB
 const mostFiles = 10000, mostBytes = 1 << 30; // the bridge's limits
 const taken = /\.(json|urdf|png|jpe?g|pgm|ppm|bmp|tiff?)$/i; // others are not needed
+const imported = /\.(csv|xacro|ya?ml|xml|cameramodel)$/i; // of a table that is imported
+const chosenKinds = ".json,.urdf,.csv,.xacro,.yaml,.yml,.xml,.cameramodel,image/*";
 let number = 0;
 /** @type {null | {number: number, done: number, all: number, told: (() => void) | null, failed: boolean}} */
 let upload = null;
@@ -62,8 +64,9 @@ async function placed(files) {
 /** Sends files to the bridge. @param {Dropped[]} given */
 export async function openFiles(given) {
   if (upload) return notice("Files are being read: wait until they are open.");
-  const files = await placed(given.filter(({name}) => taken.test(name) && !/\.truth\.json$/.test(name))), all = files.reduce((sum, {file}) => sum + file.size, 0);
-  if (!files.length) return notice("Nothing was opened: expected a folder with captures.json, a recording, or a result with its captures.");
+  const isSet = given.some(({name}) => lastOf(name) === "captures.json"), isTaken = name => taken.test(name) || (!isSet && imported.test(name));
+  const files = await placed(given.filter(({name}) => isTaken(name) && !/\.truth\.json$/.test(name))), all = files.reduce((sum, {file}) => sum + file.size, 0);
+  if (!files.length) return notice("Nothing was opened: expected a folder with captures.json, a recording, a result with its captures, or a table (.csv) with its robot's URDF.");
   if (files.length > mostFiles || all > mostBytes) {
     return notice("Nothing was opened: these are " + files.length + " files of " + Math.round(all / 1e6) + " MB, more than the page sends. Type the path of the folder instead.");
   }
@@ -124,15 +127,23 @@ async function openItems(items) {
   }
 }
 
-/** Files of an input; in a chosen folder, names begin with the folder's. @param {HTMLInputElement} input */
-export const openChosen = input => openFiles([...(input.files ?? [])].map(file => ({name: file.webkitRelativePath || file.name, file})));
+/** Opens the files of an input; in a chosen folder, names begin with the folder's. @param {HTMLInputElement} input */
+const openChosen = input => openFiles([...(input.files ?? [])].map(file => ({name: file.webkitRelativePath || file.name, file})));
+
+/** Buttons that choose a folder or files, with their inputs. @param {boolean} isBusy */
+export const fileChoosers = isBusy => [true, false].flatMap(isFolder => {
+  const words = isFolder ? "Choose a folder …" : "Choose files …";
+  const input = element("input", {type: "file", multiple: true, hidden: true, "data-chooses": isFolder ? "folder" : "files", "aria-label": words, onchange: () => openChosen(input),
+    ...(isFolder ? {webkitdirectory: true} : {accept: chosenKinds})});
+  return [button(words, () => input.click(), {disabled: isBusy}), input];
+});
 
 const hasFiles = event => event.dataTransfer?.types.includes("Files");
 let within = 0; // entered elements less left ones
 
 /** Takes files that are dropped anywhere on the page. */
 export function takeDrops() {
-  const shade = element("div", {id: "drop", hidden: true}, "Drop a capture set, a recording, or a result with its captures");
+  const shade = element("div", {id: "drop", hidden: true}, "Drop a capture set, a recording, a result with its captures, or a table with its robot's URDF");
   document.body.append(shade);
   const show = shown => { within = shown ? within : 0; at("drop").hidden = !shown; };
   document.addEventListener("dragenter", event => { if (hasFiles(event)) { ++within; show(true); } });

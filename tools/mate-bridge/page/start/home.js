@@ -4,7 +4,7 @@ import {capitalized} from "naocal/lib/format.js";
 import {chooseCommand} from "../command-runner.js";
 import {act, state} from "../core/state.js";
 import {showRobot, simulateRobot} from "../robots/robots.js";
-import {openChosen, uploadProgress} from "./drop.js";
+import {fileChoosers, uploadProgress} from "./drop.js";
 import {startTour} from "./tour.js";
 
 let typedPath = "", paper = "a3";
@@ -26,18 +26,14 @@ const card = (title, ...parts) => element("section", {class: "card", "aria-label
 
 function opening(told) {
   const progress = uploadProgress(), isBusy = progress !== null || Boolean(state.work);
-  const choose = (words, folder) => {
-    const input = element("input", {type: "file", multiple: true, hidden: true, "data-chooses": folder ? "folder" : "files", "aria-label": words, onchange: () => openChosen(input), ...(folder ? {webkitdirectory: true} : {accept: ".json,.urdf,image/*"})});
-    return [button(words, () => input.click(), {disabled: isBusy}), input];
-  };
   const path = element("input", {type: "text", id: "homePath", class: "code", spellcheck: "false", autocomplete: "off", placeholder: "/path/to/captures", "aria-label": "path of a capture set, recording or result",
     oninput: () => { typedPath = path.value; }});
   path.value = typedPath;
   const bar = element("progress", {max: "1", "aria-label": "files read"});
   bar.value = progress ?? 0;
   return card("Open captures", element("div", {class: "drop"},
-    element("p", {}, "Drop a capture set, a robot's recording, or a result with its captures here."),
-    progress === null ? element("p", {class: "controls"}, ...choose("Choose a folder …", true), ...choose("Choose files …", false))
+    element("p", {}, "Drop a capture set, a robot's recording, or a result with its captures here. A table (CSV) with its robot's URDF is imported."),
+    progress === null ? element("p", {class: "controls"}, ...fileChoosers(isBusy))
       : element("p", {class: "controls", role: "status"}, "Reading the files …", bar)),
   element("form", {class: "paths", onsubmit: event => {
     event.preventDefault();

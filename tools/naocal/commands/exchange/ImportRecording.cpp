@@ -2,13 +2,10 @@
 #include "console/print/PrintText.hpp"
 
 #include "command-line/OptionChecks.hpp"
-#include "data/BoardListFile.hpp"
 #include "io/Files.hpp"
-#include "recordings/CameraModelFile.hpp"
 #include "recordings/mcap/McapImport.hpp"
 #include "recordings/table/ColumnGuess.hpp"
 #include "recordings/table/TableImport.hpp"
-#include "robot/Urdf.hpp"
 
 #include <CLI/CLI.hpp>
 #include <memory>
@@ -21,7 +18,8 @@ namespace {
 
 /// Options that both kinds of recordings need.
 struct SceneOptions {
-  std::string robot, camera = "camera", cameraModel, cameraLink, boards, boardLink = "world", output;
+  SceneSources sources;
+  std::string output;
 };
 
 struct TableCommand {
@@ -36,44 +34,13 @@ struct McapCommand {
   RestOptions rests;
 };
 
-ImportScene readScene(const SceneOptions& options) {
-  ImportScene scene;
-  scene.urdf = readFile(options.robot);
-  scene.robot = parseUrdf(scene.urdf, options.robot);
-  scene.camera = options.camera;
-  scene.cameraLink = options.cameraLink;
-  if (!options.cameraModel.empty()) {
-    scene.lens = readCameraModel(options.cameraModel);
-  }
-  const bool isLink = options.boardLink == "world" || options.boardLink == "floor" ||
-                      scene.robot.linkIndex(options.boardLink).has_value();
-  if (!isLink) {
-    throw InputError{fmt::format("--board-link: expected \"world\", \"floor\" or a link of {}, found \"{}\"",
-                                 options.robot, printableText(options.boardLink, 80))};
-  }
-  if (!options.boards.empty()) {
-    scene.boards = readBoards(options.boards);
-    for (Board& board : scene.boards) {
-      board.link = options.boardLink;
-    }
-  }
-  return scene;
-}
-
-void requireBoards(const ImportScene& scene) {
-  if (scene.boards.empty()) {
-    throw InputError{"--boards: expected a file with the boards in the pictures, found none; naocal board writes one, "
-                     "and a board to print"};
-  }
-}
-
 void printNext(const ImportedSet& imported, const std::string& folder) {
   const bool hasPictures = !imported.set.cameras.empty();
   printText("written to {}; next: {} {}\n", folder, hasPictures ? "naocal detect" : "naocal diagnose", folder);
 }
 
 void importTableCommand(const TableCommand& command) {
-  const ImportScene scene = readScene(command.scene);
+  const ImportScene scene = readImportScene(command.scene.sources);
   const CsvTable table{readFile(command.table), command.table};
   ColumnMap map;
   if (command.columns.empty()) {
@@ -89,23 +56,18 @@ void importTableCommand(const TableCommand& command) {
   } else {
     map = parseColumnMap(parseJson(readFile(command.columns), command.columns), command.columns, scene.robot);
   }
-  if (map.image) {
-    requireBoards(scene);
-  }
   const auto beside = std::filesystem::absolute(command.table).parent_path();
-  TableImport result =
+  const TableImport result =
       importTable(table, map, scene, command.pictures.empty() ? beside : std::filesystem::path{command.pictures});
-  result.imported.files["columns.json"] = columnMapJson(map).dump(2) + "\n";
   writeImport(result.imported, command.scene.output);
-  printText("{} rows, {} captures\n", table.rows(), result.imported.set.captures.size());
-  if (result.withoutMeasurement > 0) {
-    printText("{} rows passed over: no picture, no measured position\n", result.withoutMeasurement);
+  for (const std::string& line : summarize(result)) {
+    printText("{}\n", line);
   }
   printNext(result.imported, command.scene.output);
 }
 
 void importMcapCommand(const McapCommand& command) {
-  const ImportScene scene = readScene(command.scene);
+  const ImportScene scene = readImportScene(command.scene.sources);
   requireBoards(scene);
   const McapImport result = importMcap(command.file, scene, command.topics, command.rests);
   writeImport(result.imported, command.scene.output);
@@ -114,19 +76,24 @@ void importMcapCommand(const McapCommand& command) {
 }
 
 void addSceneOptions(CLI::App& app, SceneOptions& options) {
-  app.add_option("--robot", options.robot, "the robot's URDF")->type_name("URDF")->required()->check(existingFile());
-  app.add_option("--boards", options.boards, "file with the boards in the pictures")
+  app.add_option("--robot", options.sources.robot, "the robot's URDF")
+      ->type_name("URDF")
+      ->required()
+      ->check(existingFile());
+  app.add_option("--boards", options.sources.boards, "file with the boards in the pictures")
       ->type_name("FILE")
       ->check(existingFile());
-  app.add_option("--board-link", options.boardLink, "link that carries the boards, \"world\" or \"floor\"")
+  app.add_option("--board-link", options.sources.boardLink, "link that carries the boards, \"world\" or \"floor\"")
       ->type_name("LINK")
       ->capture_default_str();
-  app.add_option("--camera", options.camera, "the camera's name in the set")->type_name("NAME")->capture_default_str();
-  app.add_option("--camera-model", options.cameraModel,
+  app.add_option("--camera", options.sources.camera, "the camera's name in the set")
+      ->type_name("NAME")
+      ->capture_default_str();
+  app.add_option("--camera-model", options.sources.cameraModel,
                  "the camera's lens, as OpenCV, ROS, kalibr or mrcal has calibrated it")
       ->type_name("FILE")
       ->check(existingFile());
-  app.add_option("--camera-link", options.cameraLink,
+  app.add_option("--camera-link", options.sources.cameraLink,
                  "link with the camera's axes (x right, y down, z forward), or \"world\": it stands beside the robot")
       ->type_name("LINK");
   app.add_option("-o,--output", options.output, "write the set into this folder")->type_name("SET")->required();

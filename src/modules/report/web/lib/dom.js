@@ -116,7 +116,7 @@ let opener = ""; // label of the button that opened the last dialog
  */
 export function question(properties, leave, ...children) {
   const dialog = element("dialog", {...properties, onkeydown: (/** @type {KeyboardEvent} */ event) => {
-    const parts = /** @type {HTMLElement[]} */ ([...dialog.querySelectorAll("button:not(:disabled), input")]), place = parts.indexOf(/** @type {any} */ (document.activeElement));
+    const parts = /** @type {HTMLElement[]} */ ([...dialog.querySelectorAll("button:not(:disabled), input:not([hidden]), select, textarea, summary")].filter(part => part.checkVisibility())), place = parts.indexOf(/** @type {any} */ (document.activeElement));
     if (event.key === "Escape" && leave) leave();
     else if (event.key === "Tab" && parts.length) parts[(place + (event.shiftKey ? parts.length - 1 : 1)) % parts.length].focus();
     else return;
