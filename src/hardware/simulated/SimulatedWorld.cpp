@@ -49,19 +49,13 @@ struct SimulatedShared {
     Eigen::VectorXd joints;
     Eigen::Isometry3d worldFromTorso;
   };
-  /// Linear between quarters of cycles; absent outside the last second before `now`.
+  /// Linear between quarters of cycles; absent outside the last second.
   std::optional<Moment> stateAt(TimePoint time) const;
 
   bool hasPendingImage() const { return cameras[0].pending || cameras[1].pending; }
 
-  /// Moves the body through the next cycle: due commands first. Does nothing if it has moved already.
-  void moveBody();
-  /// Ends the cycle: time, completed images.
-  void endCycle();
-  void advance() {
-    moveBody();
-    endCycle();
-  }
+  /// Advances one cycle: due commands, body, completed images.
+  void advance();
 
   static constexpr std::chrono::milliseconds cycle{12};
 
@@ -78,11 +72,10 @@ struct SimulatedShared {
   Touch touched;
 
 private:
-  void remember(TimePoint time);
+  void remember();
   void expose(std::size_t camera, TimePoint begins);
 
   std::deque<Moment> history_;
-  bool hasMoved_ = false; // through the cycle that has not ended
 };
 
 SimulatedShared::SimulatedShared(const Robot& robotDrawing, const SimulatedPlan& simulatedPlan)
@@ -92,18 +85,18 @@ SimulatedShared::SimulatedShared(const Robot& robotDrawing, const SimulatedPlan&
       now{beginning(simulatedPlan)}, cameras{SimulatedCamera{CameraName::top, simulatedPlan, now},
                                              SimulatedCamera{CameraName::bottom, simulatedPlan,
                                                              now + half(simulatedPlan.cameras.period)}} {
-  remember(now);
+  remember();
 }
 
-void SimulatedShared::remember(TimePoint time) {
-  history_.push_back({time, body.trueAngles(), body.worldFromTorso()});
+void SimulatedShared::remember() {
+  history_.push_back({now, body.trueAngles(), body.worldFromTorso()});
   if (history_.size() > remembered) {
     history_.pop_front();
   }
 }
 
 std::optional<SimulatedShared::Moment> SimulatedShared::stateAt(TimePoint time) const {
-  if (time < history_.front().time || time > std::min(now, history_.back().time)) {
+  if (time < history_.front().time || time > history_.back().time) {
     return std::nullopt;
   }
   const auto after = std::lower_bound(history_.begin() + (history_.size() > 1), history_.end(), time,
@@ -115,25 +108,16 @@ std::optional<SimulatedShared::Moment> SimulatedShared::stateAt(TimePoint time) 
                 between(one.worldFromTorso, other.worldFromTorso, share)};
 }
 
-void SimulatedShared::moveBody() {
-  if (hasMoved_) {
-    return;
-  }
+void SimulatedShared::advance() {
   for (int part = 0; part < parts; ++part) {
-    const TimePoint time = now + part * cycle / parts;
-    while (!commands.empty() && commands.front().first <= time) {
+    while (!commands.empty() && commands.front().first <= now) {
       body.command(commands.front().second);
       commands.pop_front();
     }
     body.advance(cycle / parts);
-    remember(time + cycle / parts);
+    now += cycle / parts;
+    remember();
   }
-  hasMoved_ = true;
-}
-
-void SimulatedShared::endCycle() {
-  now += cycle;
-  hasMoved_ = false;
   for (std::size_t camera = 0; camera < cameras.size(); ++camera) {
     while (const auto begins = cameras[camera].nextArrival(now)) {
       expose(camera, *begins);
@@ -146,7 +130,7 @@ void SimulatedShared::expose(std::size_t camera, TimePoint begins) {
   const std::size_t mount = drawing.cameraIndex(toString(CameraName(camera))).value();
   for (int instant = 0; instant < instants; ++instant) {
     const TimePoint time = begins + cameras[camera].span() * instant / (instants - 1);
-    const Moment moment = stateAt(std::clamp(time, history_.front().time, now)).value();
+    const Moment moment = stateAt(std::clamp(time, history_.front().time, history_.back().time)).value();
     worldFromCamera.push_back(body.worldFromCamera(mount, moment.joints, moment.worldFromTorso));
   }
   cameras[camera].deliver(worldFromCamera);
@@ -192,8 +176,7 @@ private:
   std::shared_ptr<SimulatedShared> shared_;
 };
 
-/// Interface for the motion loop; each state advances one cycle. At the wall's pace the body moves before the wait, so
-/// that a state costs little once its time has come.
+/// Interface for the motion loop; each state advances one cycle.
 class SimulatedRobot : public RobotInterface {
 public:
   explicit SimulatedRobot(std::shared_ptr<SimulatedShared> shared) : shared_{std::move(shared)} {}
@@ -208,8 +191,6 @@ public:
     if (shared_->plan.pace == Pace::quick) {
       shared_->step.waitForCameraLoop(lock, [this] { return shared_->hasPendingImage(); });
     } else {
-      catchUp();
-      shared_->moveBody();
       const TimePoint wake =
           std::min(shared_->now + SimulatedShared::cycle, std::chrono::steady_clock::now() + timeout);
       lock.unlock();
@@ -218,6 +199,7 @@ public:
       if (wake < shared_->now + SimulatedShared::cycle) {
         return std::nullopt;
       }
+      catchUp();
     }
     shared_->advance();
     ++shared_->link.states;
@@ -280,8 +262,8 @@ const SimulatedErrors& SimulatedWorld::errors() const {
 
 SimulatedWorld::Truth SimulatedWorld::truth() const {
   const std::lock_guard lock{shared_->mutex};
-  const SimulatedShared::Moment moment = shared_->stateAt(shared_->now).value();
-  return {moment.time, moment.joints, moment.worldFromTorso, shared_->body.supportFoot(), shared_->body.hasFallen()};
+  const SimulatedBody& body = shared_->body;
+  return {shared_->now, body.trueAngles(), body.worldFromTorso(), body.supportFoot(), body.hasFallen()};
 }
 
 std::optional<Eigen::VectorXd> SimulatedWorld::jointsAt(TimePoint time) const {

@@ -5,6 +5,7 @@
 #include "framework/core/Thread.hpp"
 
 #include <catch2/catch.hpp>
+#include <memory>
 
 namespace naocal {
 namespace {
@@ -110,6 +111,21 @@ TEST_CASE("changes from other threads arrive in their order while the cycle goes
   const auto from = player.seen.begin() + 1;
   CHECK(std::is_sorted(from, player.seen.end()));
   CHECK(player.seen.back() == 500);
+}
+
+TEST_CASE("what clients allocated for a change is freed by clients") {
+  // Proves that no cycle frees an applied change, whose memory may belong to a thread that has lost its processor.
+  Configured configured{good};
+  auto& [robot, motion, player] = configured;
+  auto token = std::make_shared<int>(1);
+  const std::weak_ptr<int> watched = token;
+  motion.postChange(player, *player.parameters().front(), [token = std::move(token)] {});
+  for (int i = 0; i < 3; ++i) {
+    motion.cycle();
+    CHECK_FALSE(watched.expired());
+  }
+  robot.configuration.set("Motion.Player", "speed", 0.25);
+  CHECK(watched.expired());
 }
 
 TEST_CASE("however many changes arrive, a cycle applies a bounded number, and the newest value is not lost") {

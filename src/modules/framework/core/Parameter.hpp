@@ -10,6 +10,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace naocal {
@@ -61,7 +62,7 @@ public:
       refuseValue(value, expected);
     }
     return [this, read = std::move(read)]() mutable {
-      value_ = std::move(read);
+      std::swap(value_, read); // the former value is freed with this function
       ++writes_;
     };
   }

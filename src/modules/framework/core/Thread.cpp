@@ -85,7 +85,9 @@ void Thread::sort(const std::vector<std::size_t>& order) {
 }
 
 void Thread::postChange(Module& module, const AnyParameter& parameter, std::function<void()> apply) {
+  std::list<Change> freed; // after unlocking
   const std::lock_guard lock{changesMutex_};
+  freed.swap(applied_);
   if (changes_.size() >= mostChanges) {
     const auto last = std::find_if(changes_.rbegin(), changes_.rend(),
                                    [&](const Change& change) { return change.parameter == &parameter; });
@@ -98,17 +100,16 @@ void Thread::postChange(Module& module, const AnyParameter& parameter, std::func
 }
 
 void Thread::applyChanges() {
-  std::vector<Change> changes;
   {
     const std::unique_lock lock{changesMutex_, std::try_to_lock};
     if (!lock.owns_lock()) {
       return; // a change is being posted; the next cycle applies it
     }
-    const auto end = changes_.begin() + std::ptrdiff_t(std::min(changes_.size(), changesPerCycle));
-    changes.assign(std::make_move_iterator(changes_.begin()), std::make_move_iterator(end));
-    changes_.erase(changes_.begin(), end);
+    applied_.splice(applied_.end(), applying_);
+    const auto end = std::next(changes_.begin(), std::ptrdiff_t(std::min(changes_.size(), changesPerCycle)));
+    applying_.splice(applying_.end(), changes_, changes_.begin(), end);
   }
-  for (Change& change : changes) { // one by one: a module sees each of two values that arrive together
+  for (Change& change : applying_) { // one by one: a module sees each of two values that arrive together
     change.apply();
     change.module->onParametersChanged();
   }

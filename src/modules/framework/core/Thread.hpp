@@ -5,8 +5,8 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <functional>
+#include <list>
 #include <memory>
 #include <mutex>
 #include <nlohmann/json_fwd.hpp>
@@ -83,8 +83,11 @@ private:
   CycleListener* listener_ = nullptr;
   std::vector<AnyProduction*> productions_;
 
-  std::mutex changesMutex_; // the cycle only tries to lock it
-  std::deque<Change> changes_;
+  // The cycle only tries to lock the mutex, and neither allocates nor frees what callers of `postChange` allocated: the
+  // allocator's lock may be held by one of them that has lost its processor.
+  std::mutex changesMutex_;
+  std::list<Change> changes_, applied_; // to apply; to free in the next `postChange`
+  std::list<Change> applying_;          // by the cycle
 };
 
 /// Requests SCHED_FIFO scheduling for the calling thread. Returns the reason of a failure, empty on success.

@@ -209,6 +209,7 @@ Json ExploreLoop::solvedJson(const ResultSources& inputs) const {
 void ExploreLoop::printWhere() const {
   const Comparison comparison =
       compare(parseResult(solvedJson({}), "the current model"), *mended_.measurements->sets, given_.robot, true);
+  printText("the current model, joint angles as read:\n");
   printComparison(comparison);
   std::vector<std::pair<std::string, ResidualSummary>> poses{comparison.byPose.begin(), comparison.byPose.end()};
   std::sort(poses.begin(), poses.end(), [](const auto& a, const auto& b) { return a.second.rmsPx > b.second.rmsPx; });

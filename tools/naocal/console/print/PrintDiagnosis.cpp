@@ -118,8 +118,10 @@ void printCandidate(const CandidateFinding& finding, const Diagnosis& diagnosis)
   line("size", formatSizes(finding) + (finding.plausible ? "" : "; larger than plausible"));
   const std::string detectable = formatDetectable(finding);
   line("smallest detectable", detectable.empty() ? "" : detectable + " (90 % power)");
-  line("evidence", fmt::format("{:.1f} (2 ln of the Bayes factor); by chance in {:.2g} of cases, as a single candidate",
-                               finding.evidence.bayes, finding.evidence.pValue));
+  constexpr double leastP = 1e-99; // smaller ones tell no more
+  const double p = finding.evidence.pValue;
+  line("evidence", fmt::format("{:.1f} (2 ln of the Bayes factor); p {} {:.2g} as a single candidate",
+                               finding.evidence.bayes, p < leastP ? "<" : "=", std::max(p, leastP)));
   line("chi2", fmt::format("would fall by {:.1f}{}", finding.evidence.likelihoodRatio,
                            finding.chi2Drop ? fmt::format("; fell by {:.1f} on refitting", *finding.chi2Drop) : ""));
   line("moves corners by", // computed for likely effects only

@@ -74,7 +74,7 @@ export const candidateTable = (candidates, shown, {most, rowOf = () => ({})}) =>
     element("td", {class: className, "data-title": title}, ...cell(candidate, most)))), candidateTip(candidate)))));
 
 /** Candidates of a state; "" for all. @param {Candidate[]} candidates @param {string} state */
-export const ofState = (candidates, state) => candidates.filter(candidate => !state || said(candidate) === state);
+export const ofState = (candidates, state) => candidates.filter(candidate => !state || candidate.shown === state);
 
 /**
  * Filter buttons, one per state.
