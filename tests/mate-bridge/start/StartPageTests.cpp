@@ -5,6 +5,7 @@
 #include "print/PdfDocument.hpp"
 
 #include <catch2/catch.hpp>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 using namespace naocal;
@@ -16,11 +17,17 @@ namespace {
 /// A start page that stores what it wants opened.
 struct OpeningDesk {
   std::vector<std::vector<std::string>> opened;
+  bool isRefused = false; // opens nothing
   boost::asio::io_context context;
   StartPage page{context,
                  {},
                  {[](const std::string&) {}, [](std::size_t, const std::string&) {},
-                  [this](const std::vector<std::string>& paths, const auto&, const auto&) { opened.push_back(paths); },
+                  [this](const std::vector<std::string>& paths, const auto&, const auto& done) {
+                    opened.push_back(paths);
+                    if (!isRefused) {
+                      done();
+                    }
+                  },
                   [](const std::string&) {}, [](const std::string&) {}}};
 };
 
@@ -36,6 +43,26 @@ TEST_CASE("an upload is opened after its last byte, and is no recent file") {
   REQUIRE(desk.opened.size() == 1);
   CHECK(readFile(desk.opened[0].at(0) + "/captures.json") == "abcd");
   CHECK(Json::parse(desk.page.message())["recent"].empty());
+}
+
+TEST_CASE("files that cannot be opened leave those of the open set where they are") {
+  // Proves that only opened uploads count among the two that are kept, and that a refused one is removed.
+  OpeningDesk desk;
+  const auto drop = [&](bool isRefused) {
+    desk.isRefused = isRefused;
+    desk.page.beginUpload(1, Json::array({{{"name", "set/captures.json"}, {"bytes", 1U}}}));
+    desk.page.addUpload(1, "a");
+    return desk.opened.back().at(0) + "/captures.json";
+  };
+  const std::string open = drop(false);
+  for (int i = 0; i < 3; ++i) {
+    CHECK_FALSE(std::filesystem::exists(drop(true)));
+  }
+  CHECK(std::filesystem::exists(open));
+  drop(false);
+  CHECK(std::filesystem::exists(open)); // may still be read
+  drop(false);
+  CHECK_FALSE(std::filesystem::exists(open));
 }
 
 TEST_CASE("an upload is given up by a mistake, and belongs to the page that began it") {

@@ -99,11 +99,11 @@ void StartPage::finishUpload(std::size_t panel) {
   }
   imports_.end(panel);
   const std::vector<std::string> paths = files->paths();
-  keep(std::move(files));
-  calls_.open(paths, {}, [] {});
+  const std::shared_ptr<const DroppedFiles> dropped = std::move(files); // goes if opening is refused
+  calls_.open(paths, {}, [this, dropped] { keep(dropped); });
 }
 
-/// Keeps the folder of a dataset that is opened, and that of the one before it.
+/// Keeps the folder of a dataset that was opened, and that of the one before it.
 void StartPage::keep(std::shared_ptr<const void> files) {
   dropped_.push_back(std::move(files));
   if (dropped_.size() > mostDropped) {
