@@ -284,6 +284,7 @@ TEST_CASE("candidates that were tested one by one are not all shown as needed") 
   diagnosis.ranking = {found(spring, "LKneePitch", {0.01}, {0.001}), found(spring, "LHipPitch", {0.01}, {0.001}),
                        found(spring, "LAnklePitch", {0.01}, {0.001})};
   diagnosis.ranking[0].state = CandidateState::present;
+  diagnosis.ranking[1].state = CandidateState::inconclusive;
   diagnosis.ranking[2].state = CandidateState::absent;
   CHECK(shownState(diagnosis.ranking[0], diagnosis) == CandidateState::present);
   diagnosis.ranking[1].state = CandidateState::present;
