@@ -73,16 +73,17 @@ void CalibrationRuns::noteConfigured() {
 }
 
 void CalibrationRuns::recordSaved() {
-  if (readConfiguredOffsets(configuration_) == noted_) {
+  const std::map<std::string, double> offsets = readConfiguredOffsets(configuration_);
+  if (offsets == noted_) {
     return;
   }
   record([&] {
     Run run = begin(std::string{applyKind});
     run.outcome = RunOutcome::kept;
-    run.set = readConfiguredOffsets(configuration_);
+    run.set = offsets;
     return run;
   });
-  noteConfigured();
+  noted_ = offsets;
 }
 
 void CalibrationRuns::publishNewest() {

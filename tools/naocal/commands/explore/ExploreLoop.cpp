@@ -94,41 +94,33 @@ std::vector<std::string> ExploreLoop::terms() const {
   return termLabels(mended_, rung.without, effects(rung));
 }
 
-/// Fits the session's current model, then makes the session current; strong exception guarantee.
-void ExploreLoop::enter(Session session) {
+/// Changes a copy of the session, fits its current model and keeps it; strong exception guarantee.
+void ExploreLoop::change(const std::function<void(Session&)>& change) {
+  Session session = session_;
+  change(session);
   session.current() = questioned(session.current());
   session_ = std::move(session);
   save();
 }
 
 void ExploreLoop::add(const std::string& label) {
-  Session session = session_;
-  session.add(label, [this] { return terms(); });
-  enter(std::move(session));
+  change([&](Session& session) { session.add(label, [this] { return terms(); }); });
 }
 
 void ExploreLoop::drop(const std::string& label) {
-  Session session = session_;
-  session.drop(label, [this] { return terms(); });
-  enter(std::move(session));
+  change([&](Session& session) { session.drop(label, [this] { return terms(); }); });
 }
 
 void ExploreLoop::undo() {
-  Session session = session_;
-  session.undo();
-  enter(std::move(session));
+  change([](Session& session) { session.undo(); });
 }
 
 void ExploreLoop::redo() {
-  Session session = session_;
-  session.redo();
-  enter(std::move(session));
+  change([](Session& session) { session.redo(); });
 }
 
 void ExploreLoop::goTo(std::size_t revision) {
-  Session session = session_;
-  session.goTo(revision);
-  enter(std::move(session));
+  change([&](Session& session) { session.goTo(revision); });
 }
 
 std::vector<std::string> ExploreLoop::candidates() const {
@@ -211,13 +203,7 @@ void ExploreLoop::printWhere() const {
       compare(parseResult(solvedJson({}), "the current model"), *mended_.measurements->sets, given_.robot, true);
   printText("the current model, joint angles as read:\n");
   printComparison(comparison);
-  std::vector<std::pair<std::string, ResidualSummary>> poses{comparison.byPose.begin(), comparison.byPose.end()};
-  std::sort(poses.begin(), poses.end(), [](const auto& a, const auto& b) { return a.second.rmsPx > b.second.rmsPx; });
-  poses.resize(std::min<std::size_t>(poses.size(), 5));
-  for (const auto& [name, distances] : poses) {
-    printText("  {:<7} {:<12} {:>7.2f} px rms {:>7.2f} px median {:>7} corners{}\n", "pose", name, distances.rmsPx,
-              distances.medianPx, distances.corners, name == poses.front().first ? "  (the worst come first)" : "");
-  }
+  printWorstPoses(comparison);
 }
 
 void ExploreLoop::saveResult(const std::string& file) const {

@@ -5,6 +5,7 @@
 #include "diagnosis/Session.hpp"
 #include "diagnosis/anomalies/MendedMeasurements.hpp"
 
+#include <functional>
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -58,7 +59,7 @@ private:
   DiagnosisOptions options(const ModelRevision& rung, const MendedMeasurements& mended) const;
   /// The current model as options of the command line.
   GivenOptions asked() const;
-  void enter(Session session);
+  void change(const std::function<void(Session&)>& change);
   void save() const;
 
   const LoadedSets& given_;
