@@ -100,8 +100,10 @@ void RobotProcess::start(std::function<void(std::string_view)> failed) {
     run(motion_, stop, [this] { return robot_.hasEnded(); });
     moves_ = false;
   }};
-  brainThread_ =
-      std::jthread{[this](const std::stop_token& stop) { run(brain_, stop, [this] { return cameras_.hasEnded(); }); }};
+  brainThread_ = std::jthread{[this](const std::stop_token& stop) {
+    letOthersFinish();
+    run(brain_, stop, [this] { return cameras_.hasEnded(); });
+  }};
 }
 
 void RobotProcess::run(Thread& thread, const std::stop_token& stop, const std::function<bool()>& ended) {

@@ -97,10 +97,15 @@ std::string requestRealTimePriority(int priority);
 /// motion where the system refuses real-time priority. Needs no permission; Linux before 6.12 ignores it.
 void requestShortSlice();
 
+/// Makes the calling thread batch work: when it wakes, a running ordinary thread first finishes what it does (up to its
+/// time slice). For vision, which motion and the cameras wake, where the system refuses real-time priority. Needs no
+/// permission.
+void letOthersFinish();
+
 inline constexpr int backgroundNiceness = 10; // a tenth of the ordinary share of a processor
 
-/// Lowers the calling thread below the ordinary ones and keeps it off one processor (the last one that it may use),
-/// which remains free for motion where the system refuses real-time priority. Needs no permission.
+/// Makes the calling thread batch work below the ordinary threads and keeps it off one processor (the last one that it
+/// may use), which remains free for motion where the system refuses real-time priority. Needs no permission.
 void runInBackground();
 
 } // namespace naocal
