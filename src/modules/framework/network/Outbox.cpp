@@ -2,6 +2,7 @@
 
 #include "framework/core/Module.hpp"
 
+#include <boost/lockfree/queue.hpp>
 #include <boost/lockfree/spsc_queue.hpp>
 #include <cerrno>
 #include <cstring>
@@ -11,8 +12,40 @@
 
 namespace naocal {
 
+/// What one cycle allocates for its report.
+struct Outbox::Samples {
+  struct Item {
+    const AnyProduction* production;
+    std::unique_ptr<const Sample> sample;
+  };
+  TimePoint time;
+  std::vector<Item> items;
+};
+
+namespace {
+
+/// Samples on their way back to the cycle, from any thread. Beyond 64 of them the returning thread frees them.
+template <class Samples> class Returned {
+public:
+  ~Returned() { free(); }
+  void push(Samples* samples) {
+    if (!queue_.push(samples)) {
+      delete samples;
+    }
+  }
+  void free() {
+    queue_.consume_all([](Samples* samples) { delete samples; });
+  }
+
+private:
+  boost::lockfree::queue<Samples*, boost::lockfree::capacity<64>> queue_;
+};
+
+} // namespace
+
 struct Outbox::Queue {
-  boost::lockfree::spsc_queue<CycleReport*, boost::lockfree::capacity<8>> reports;
+  boost::lockfree::spsc_queue<Samples*, boost::lockfree::capacity<8>> reports;
+  std::shared_ptr<Returned<Samples>> returned = std::make_shared<Returned<Samples>>();
   int descriptor = ::eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC);
 };
 
@@ -33,28 +66,35 @@ int Outbox::descriptor() const {
 }
 
 void Outbox::onCycleEnd(TimePoint time, const std::vector<AnyProduction*>& productions) {
-  std::unique_ptr<CycleReport> report;
+  queue_->returned->free();
+  std::unique_ptr<Samples> samples;
   for (const AnyProduction* production : productions) {
     if (production->isWanted() && production->wasEdited()) {
       if (auto sample = production->sample()) {
-        report = report ? std::move(report) : std::make_unique<CycleReport>(CycleReport{time, {}});
-        report->items.push_back({production, time, std::move(sample)});
+        samples = samples ? std::move(samples) : std::make_unique<Samples>(Samples{time, {}});
+        samples->items.push_back({production, std::move(sample)});
       }
     }
   }
-  if (report && queue_->reports.push(report.get())) {
-    static_cast<void>(report.release());
+  if (samples && queue_->reports.push(samples.get())) {
+    static_cast<void>(samples.release());
     const std::uint64_t one = 1;
     static_cast<void>(!::write(queue_->descriptor, &one, sizeof one)); // a saturated counter also wakes the reader
   }
 }
 
 std::unique_ptr<CycleReport> Outbox::take() {
-  CycleReport* report = nullptr;
-  if (!queue_->reports.pop(report)) {
+  Samples* taken = nullptr;
+  if (!queue_->reports.pop(taken)) {
     return nullptr;
   }
-  return std::unique_ptr<CycleReport>{report};
+  const std::shared_ptr<Samples> samples{taken,
+                                         [returned = queue_->returned](Samples* unused) { returned->push(unused); }};
+  auto report = std::make_unique<CycleReport>(CycleReport{samples->time, {}});
+  for (const Samples::Item& item : samples->items) {
+    report->items.push_back({item.production, samples->time, {samples, item.sample.get()}});
+  }
+  return report;
 }
 
 } // namespace naocal

@@ -15,14 +15,15 @@ struct CycleReport {
   struct Item {
     const AnyProduction* production;
     TimePoint time;
-    std::unique_ptr<const Sample> sample;  // reset by encoding
+    std::shared_ptr<const Sample> sample;  // reset by encoding
     std::optional<EncodedImage> picture{}; // encoded image, if it is one
   };
   std::vector<Item> items; // same order as the thread's productions
 };
 
 /// Passes reports from a thread's cycle to the sockets' thread through a lock-free queue of 8 reports. The cycle never
-/// waits: if the queue is full, the new report is dropped.
+/// waits: if the queue is full, the new report is dropped. The next cycle frees the samples that are no longer used: a
+/// sockets' thread that has lost its processor would keep the lock of the allocator from which the cycle takes them.
 class Outbox final : public CycleListener {
 public:
   Outbox();
@@ -36,6 +37,7 @@ public:
   std::unique_ptr<CycleReport> take();
 
 private:
+  struct Samples;
   struct Queue;
   std::unique_ptr<Queue> queue_;
 };
