@@ -149,6 +149,9 @@ TEST_CASE("what is wrong with a person's effect is said with its place and what 
   CHECK_THAT(bench.refusal("0.01", "-1"), Contains("unknowns.a.sigma"));
   CHECK_THAT(bench.refusal("LKneePitch", "LKnee"), Contains("LKneePitch") && Contains("at:"));
   CHECK_THAT(bench.refusal("sin(3*q)", "sin(3*q"), Contains("at letter"));
+  CHECK_THAT(bench.refusal("sin(3*q)", "sinn(3*q)"),
+             Contains("\"sinn\" is no function; near it are") && Contains(" sin, "));
+  CHECK_THAT(bench.refusal("sin(3*q)", "q(3)"), Contains("\"q\" is no function"));
   CHECK_THAT(bench.refusal("a*sin", "0.1 + a*sin"), Contains("0 where its unknowns are 0"));
   CHECK_THAT(bench.refusal("\"a\":", "\"q\":"), Contains("already stands for something else"));
   const nlohmann::json twice = nlohmann::json::array({parseJson(cable, ""), parseJson(cable, "")});

@@ -1,5 +1,6 @@
 #include "CommandRunner.hpp"
 
+#include "dialects/DialectNames.hpp"
 #include "io/InputError.hpp"
 #include "protocol/BoundedJson.hpp"
 
@@ -18,8 +19,8 @@ using Json = nlohmann::json;
 constexpr std::size_t mostWords = 64;
 
 /// Commands that need no input while they run.
-const std::set<std::string> commands{"poses",   "simulate", "detect",   "solve", "compare",
-                                     "effects", "diagnose", "evaluate", "report"};
+const std::set<std::string> commands{"apply",    "board",  "check",  "compare", "detect", "diagnose", "effects",
+                                     "evaluate", "export", "import", "poses",   "report", "simulate", "solve"};
 
 } // namespace
 
@@ -48,6 +49,8 @@ std::string CommandRunner::latest() const {
   return jsonText({{"kind", "errand"},
                    {"program", program ? Json(program->string()) : Json(nullptr)},
                    {"folder", std::filesystem::current_path().string()},
+                   {"importedDialects", importedDialects()},
+                   {"exportedDialects", exportedDialects()},
                    {"words", child_.words()},
                    {"lines", child_.lines()},
                    {"running", child_.isRunning()},

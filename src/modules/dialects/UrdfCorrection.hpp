@@ -5,8 +5,11 @@
 #include <Eigen/Core>
 #include <map>
 #include <string>
+#include <string_view>
 
 namespace naocal {
+
+inline constexpr std::string_view urdfDialect = "urdf"; // name of the export
 
 /// What a calibration found of a URDF's joint.
 struct UrdfJointCorrection {

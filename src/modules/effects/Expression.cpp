@@ -1,7 +1,11 @@
 #include "effects/Expression.hpp"
 
+#include "io/InputError.hpp"
+
 #include <algorithm>
+#include <cctype>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <map>
 #include <muParser.h>
 #include <string_view>
@@ -42,8 +46,34 @@ double valueOf(const ExpressionSymbol& name, const RobotSample& instant, std::si
   }
 }
 
+/// Position of the name that ends before `end`; `end` if none does.
+std::size_t beginOfName(const std::string& text, std::size_t end) {
+  std::size_t begin = end;
+  while (begin > 0 && (std::isalnum(static_cast<unsigned char>(text[begin - 1])) != 0 || text[begin - 1] == '_')) {
+    --begin;
+  }
+  return begin;
+}
+
+/// Error for a name before a parenthesis that is no function.
+ExpressionError refuseFunction(const std::string& name, std::size_t letter) {
+  const mu::Parser parser;
+  std::vector<std::string> functions;
+  for (const auto& [function, callback] : parser.GetFunDef()) {
+    functions.push_back(function);
+  }
+  return {fmt::format("\"{}\" is no function; near it are {} (at letter {})", name,
+                      fmt::join(closestNames(name, functions), ", "), letter + 1),
+          letter};
+}
+
 ExpressionError translateError(const mu::Parser::exception_type& error, const std::string& text) {
   const auto letter = static_cast<std::size_t>(std::clamp<int>(error.GetPos(), 0, static_cast<int>(text.size())));
+  if (error.GetCode() == mu::ecUNEXPECTED_PARENS && letter < text.size() && text[letter] == '(') {
+    if (const std::size_t begin = beginOfName(text, letter); begin < letter) {
+      return refuseFunction(text.substr(begin, letter - begin), begin);
+    }
+  }
   return {fmt::format("{} (at letter {})", error.GetMsg(), letter + 1), letter};
 }
 

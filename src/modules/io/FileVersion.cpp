@@ -5,9 +5,9 @@
 
 namespace naocal {
 
-namespace {
+const std::string_view thisProgram = "naocal " NAOCAL_VERSION;
 
-constexpr std::string_view thisProgram = "naocal " NAOCAL_VERSION;
+namespace {
 
 /// "naocal 9.1.0", or "a newer naocal" if the file does not say.
 std::string describeWriter(const JsonCursor& document) {

@@ -8,6 +8,8 @@
 
 namespace naocal {
 
+extern const std::string_view thisProgram; // with its version: "naocal 0.1.0"
+
 /// `content` with the keys that begin every file: `format`, `version` and `writtenBy`, such as "naocal 0.1.0", for
 /// people: readers ignore it, except to name it where they refuse a newer file.
 nlohmann::json withFormat(std::string_view format, nlohmann::json content);

@@ -138,6 +138,9 @@ const kept = JSON.parse((await saved(() => page.getByRole("button", {name: "sess
 check(kept.format === "naocal-session" && kept.ladder.length > 1 && kept.ladder.some(one => one.with.includes(effect + "@" + at)), "and a file to go on from, with all models that were tried");
 const alone = await patientPage(browser, {viewport: {width: 1200, height: 900}});
 await alone.goto("file://" + join(pictures, "session.html"));
+const sessionHead = await alone.locator("header").innerText(), linked = await alone.locator("nav a").evaluateAll(links => links.filter(link => !document.querySelector(link.getAttribute("href"))).length);
+check(/^naocal session, .*\s+Written by naocal [\d.]+, \d{4}-\d\d-\d\d \d\d:\d\d UTC/.test(sessionHead) && sessionHead.includes("Model\nCompare") && linked === 0,
+  "it begins with what it is, who wrote it when, and its contents: " + sessionHead.slice(0, 200));
 await alone.screenshot({path: join(pictures, "session.png"), fullPage: true});
 await alone.close();
 

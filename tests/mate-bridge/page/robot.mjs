@@ -84,6 +84,9 @@ check(await page.locator("table.runs tbody tr").count() === 1, "it is listed onc
 check(/[\d.]+ px/.test(await page.locator("table.runs tbody tr").innerText()), "with its errors: " + (await page.locator("table.runs tbody tr").innerText()).replaceAll("\t", " "));
 await portrait(page, axe, pictures, "history-robot");
 await tab("Calibrate");
+await page.getByRole("button", {name: "Open its captures"}).click();
+await happens(page.getByRole("heading", {name: "Where the prediction fails"}).waitFor(), "the captures of a calibration are opened from where it ended");
+await tab("Calibrate");
 
 // Stop ends a calibration on press, from any view; so does the key s, but not Ctrl+S.
 const begun = async () => {

@@ -63,6 +63,22 @@ await click("Open " + join(here, "result.json"));
 await happens(page.getByRole("button", {name: "remove focalLength@top"}).waitFor(), "a result that was solved for is opened by a click, with its model");
 
 await click("Tools");
+await click("Export a result");
+await page.getByLabel("result", {exact: true}).fill(join(here, "result.json"));
+check((await page.getByLabel("for", {exact: true}).locator("option").allInnerTexts()).includes("urdf"), "results are exported to all programs that naocal knows");
+await page.getByLabel("for", {exact: true}).selectOption("bhuman");
+await page.getByLabel("folder to write to").fill(join(here, "B-Human"));
+await click("Run");
+await page.waitForFunction(() => /^naocal export .*ended with 2/.test(document.getElementById("toolStatus")?.textContent));
+check((await output.innerText()).includes("expected a result that can be used") && !existsSync(join(here, "B-Human")), "one that lacks an effect is refused: " + (await output.innerText()).trim().slice(0, 120));
+await portrait(page, axe, pictures, "tools-export");
+
+await click("Check captures");
+await page.getByLabel("captures", {exact: true}).fill(join(here, "a robot"));
+await click("Run");
+await page.waitForFunction(() => /^naocal check .*finished/.test(document.getElementById("toolStatus")?.textContent));
+check(/kept\.png has \d+ × \d+ pixels/.test(await output.innerText()), "captures are checked, and a picture of another size is found: " + (await output.innerText()).trim());
+
 await click("Evaluate: next poses");
 await page.getByLabel("robots").fill("5000");
 await click("Run");

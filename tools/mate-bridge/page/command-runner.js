@@ -3,10 +3,13 @@ import {button, element, empty} from "naocal/lib/dom.js";
 import {on} from "./core/connection.js";
 import {act} from "./core/state.js";
 
-// Field: `flag` (absent: positional argument), `value` (initial), `options` (select), `check` (switch), `opens` (a path that the panel can open).
+// Field: `flag` (absent: positional argument), `value` (initial), `options` (select; a name: a list of the bridge), `check` (switch), `opens` (a path that the panel can open).
 const modelFields = [{flag: "--with", label: "add effects", value: ""}, {flag: "--without", label: "leave effects out", value: ""}, {flag: "--model", label: "model file", value: ""},
   {flag: "--same-place", label: "boards and stances of equal names are at the same place in all sets", check: true}, {flag: "--skip-bad", label: "skip unusable captures", check: true}];
 const commands = [
+  {words: ["board"], name: "Print boards", what: "ChArUco boards to print, and the size of the print: print the PDF at 100 %, measure both rulers of a board, then run it again with the two lengths.",
+    fields: [{flag: "-o", label: "write the PDF to", value: "boards.pdf"}, {flag: "--boards", label: "keep the boards and their real size in", value: "boards.json"},
+      {flag: "--paper", label: "paper", options: ["a4", "a3", "a2", "a1", "a0"]}, {flag: "--measured", label: "measured rulers [m], as 0.1995,0.1990", value: ""}]},
   {words: ["poses"], name: "Plan poses", what: "Poses to take, and where to place the boards: a plan for the whole robot before its first capture.",
     fields: [{flag: "-o", label: "write the plan to", value: "poses.json"}, {flag: "--support", label: "stand on", options: ["left", "right", "both"]},
       {flag: "--select", label: "poses", value: "8"}, {flag: "--candidates", label: "candidate poses", value: "1000000"},
@@ -16,6 +19,7 @@ const commands = [
       {flag: "--support", label: "stand on", options: ["left", "right", "both"]}, {flag: "--seed", label: "robot number", value: "1"},
       {flag: "--hidden-flaw", label: "hide a flaw in it", check: true}, {flag: "--images", label: "with pictures", check: true},
       {flag: "--force", label: "replace existing captures", check: true}]},
+  {words: ["check"], name: "Check captures", what: "Every problem of a capture set at once.", fields: [{label: "captures", value: "simulated"}]},
   {words: ["detect"], name: "Find corners", what: "Finds the boards' corners in recorded pictures.",
     fields: [{label: "captures", value: "simulated", opens: true}, {flag: "--dry-run", label: "do not change the captures", check: true}]},
   {words: ["solve"], name: "Solve", what: "Calibrates joints and cameras from captures. The captures open in this panel are not affected.",
@@ -29,6 +33,13 @@ const commands = [
       {flag: "--same-place", label: "boards and feet have not moved since the result", check: true}]},
   {words: ["report"], name: "Report", what: "One page about a result, a diagnosis or an evaluation; opens without a network.",
     fields: [{label: "result, diagnosis or evaluation", value: "result.json"}, {flag: "-o", label: "write the page to", value: "report.html"}]},
+  {words: ["apply"], name: "Apply a result", what: "Writes a result into a robot's configuration in HULKs' layout, both files or none. First look at what changes, without writing.",
+    fields: [{label: "result", value: "result.json"}, {flag: "--configuration", label: "folder with location/ in it", value: ""},
+      {flag: "--dry-run", label: "show what would change, write nothing", check: true}, {flag: "--undo", label: "restore what was there before the last save", check: true}]},
+  {words: ["export"], name: "Export a result", what: "Writes a result as configuration files of another program. Joints that are less than 50 % learned keep the values of files that are there.",
+    fields: [{label: "result", value: "result.json"}, {flag: "--to", label: "for", options: "exportedDialects"}, {flag: "-o", label: "folder to write to", value: "exported"}]},
+  {words: ["import"], name: "Import a configuration", what: "Reads a robot's calibration from another program's files, as the start of a calibration (solve --start).",
+    fields: [{label: "file", value: ""}, {flag: "--from", label: "of", options: "importedDialects"}, {flag: "-o", label: "write the calibration to", value: "start.json"}]},
   {words: ["evaluate", "thesis"], name: "Evaluate: solver", what: "Success rate of the solver, beside plain Levenberg-Marquardt, the Cramér-Rao limit and the thesis's tables.",
     fields: [{flag: "--sets", label: "error sets per cell", value: "100"}, {flag: "--seed", label: "seed", value: "1"}, {flag: "--json", label: "write to", value: "thesis.json"}]},
   {words: ["evaluate", "effects"], name: "Evaluate: diagnosis", what: "A blind benchmark: robots with hidden effects, whose truth is sealed until the answers are written. An interrupted benchmark resumes.",
@@ -50,7 +61,8 @@ export function chooseCommand(name) {
 }
 
 const keyOf = field => chosen.name + "/" + field.label;
-const valueOf = field => typed.get(keyOf(field)) ?? (field.check ? false : field.options ? field.options[0] : field.value);
+const optionsOf = field => typeof field.options === "string" ? told[field.options] : field.options;
+const valueOf = field => typed.get(keyOf(field)) ?? (field.check ? false : field.options ? optionsOf(field)[0] : field.value);
 
 // The command line's words, including defaults.
 function wordsNow() {
@@ -91,7 +103,7 @@ export function showTools(parent) {
     opened.replaceChildren(...(place ? [button("Open " + place, () => act({do: "open", paths: [place.startsWith("/") ? place : told.folder + "/" + place]}))] : []));
   };
   parent.replaceChildren(element("h1", {}, "Tools"),
-    element("p", {class: "soft"}, "All commands of the terminal, with every option. The line below is the command as typed there."),
+    element("p", {class: "soft"}, "The terminal's commands, with every option. The line below is the command as typed there."),
     element("div", {class: "controls", role: "group", "aria-label": "commands"}, ...commands.map(command => button(command.name, () => { chosen = command; further = ""; showTools(parent); },
       {class: "small", "aria-pressed": String(command === chosen)}))),
     element("p", {}, chosen.what),
@@ -116,7 +128,7 @@ function fieldOf(field) {
     return element("label", {class: "check", for: id}, box, " " + field.label);
   }
   if (field.options) {
-    const select = element("select", {id, onchange: () => remember(select.value)}, ...field.options.map(value => element("option", {value, selected: value === valueOf(field)}, value)));
+    const select = element("select", {id, onchange: () => remember(select.value)}, ...optionsOf(field).map(value => element("option", {value, selected: value === valueOf(field)}, value)));
     return element("div", {class: "field"}, element("label", {for: id}, field.label), select);
   }
   const input = element("input", {type: "text", id, class: "code", spellcheck: "false", autocomplete: "off", oninput: () => remember(input.value)});

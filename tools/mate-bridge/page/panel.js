@@ -40,7 +40,7 @@ const views = [
   {id: "result", name: "Result", show: showResult, kinds: ["fit", "keys", "robot"], analysis: true},
   {id: "next", name: "Next poses", show: showNext, kinds: ["fit", "next", "work", "keys", "robot"], analysis: true, has: () => !state.set || state.set.isNao},
   {id: "files", name: "Files", show: showFiles, worked: filesWorked, kinds: ["set", "compared", "missing"]},
-  {id: "match", name: "Calibrate", show: showCalibrate, leave: leaveCalibrate, kinds: []},
+  {id: "match", name: "Calibrate", show: showCalibrate, enter: requestHistory, leave: leaveCalibrate, kinds: []},
   {id: "live", name: "Live", show: showLive, leave: leaveLive, kinds: []},
   {id: "keys", name: "Configuration", show: showKeys, kinds: []},
   {id: "history", name: "History", show: showHistory, enter: requestHistory, kinds: ["history"]},
@@ -254,8 +254,9 @@ views.forEach((view, i) => {
   tab.dataset.view = view.id;
   at("tabs").append(tab);
 });
-offerViews([...views.filter(({analysis}) => analysis).map(({name, show, has}) => ({name, show, shows: () => Boolean(state.analysis && state.fit && state.set && state.ladder) && (!has || has())})),
-  {name: "Model", show: showModel, shows: () => Boolean(state.fit && state.ladder)}, {name: "Calibrate", show: calibrationSummary, shows: hasCalibration}, {name: "History", show: showHistory, shows: hasHistory}]);
+offerViews([{name: "Model", show: showModel, shows: () => Boolean(state.fit && state.ladder)},
+  ...views.filter(({analysis}) => analysis).map(({name, show, has}) => ({name, show, shows: () => Boolean(state.analysis && state.fit && state.set && state.ladder) && (!has || has())})),
+  {name: "Calibrate", show: calibrationSummary, shows: hasCalibration}, {name: "History", show: showHistory, shows: hasHistory}]);
 addEventListener("hashchange", open);
 const linked = connected => showLink(connected, () => {
   endUpload();

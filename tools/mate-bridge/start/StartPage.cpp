@@ -1,5 +1,6 @@
 #include "start/StartPage.hpp"
 
+#include "io/FileVersion.hpp"
 #include "io/InputError.hpp"
 #include "print/Paper.hpp"
 #include "protocol/BoundedJson.hpp"
@@ -139,6 +140,7 @@ std::string StartPage::message() const {
                       {"opened", entry.opened}});
   }
   return jsonText({{"kind", "start"},
+                   {"program", thisProgram},
                    {"recent", recent},
                    {"problem", recent_.problem()},
                    {"robots", recent_.robots()},

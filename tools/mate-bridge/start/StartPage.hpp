@@ -62,8 +62,8 @@ public:
   /// A PDF of boards, by file name such as "boards-a3.pdf"; absent for other names.
   static std::optional<std::string> boards(std::string_view name);
 
-  /// {"kind": "start", "recent": [{"paths", "name", "folder", "what", "opened" [s]}], "problem", "robots": listed
-  /// addresses, "search", "sample", "robot": states}
+  /// {"kind": "start", "program": "naocal 0.1.0", "recent": [{"paths", "name", "folder", "what", "opened" [s]}],
+  /// "problem", "robots": listed addresses, "search", "sample", "robot": states}
   std::string message() const;
 
 private:

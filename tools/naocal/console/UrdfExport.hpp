@@ -7,8 +7,6 @@
 
 namespace naocal {
 
-inline constexpr std::string_view urdfDialect = "urdf";
-
 /// Writes a result of a robot with a URDF into a folder: the URDF with corrected joint origins (`correctUrdf`) and
 /// joint_offsets.yaml. Joints that are less than 50 % learned keep their origins. Prints what was corrected, and the
 /// effects that a URDF has no place for. Throws InputError for a result that should not be used, of a robot without a

@@ -128,6 +128,8 @@ export interface RobotEntry {
 
 /** "start": what the start page offers. */
 export interface StartMessage {
+  /** With its version. */
+  program: string;
   recent: {paths: string[], name: string, folder: string, what: string, opened: number}[];
   /** Why the list of recent files is not kept. */
   problem: string;

@@ -5,10 +5,21 @@ import {notice, state} from "./state.js";
 let views = [];
 export const offerViews = given => { views = given; }; // [{name, show(parent), own?: exports the view as displayed}]
 
+const titleNow = () => "naocal session" + (state.set ? ", " + state.set.names.join(", ") : "");
+
+// What the page is about, who wrote it and when, what is said of the fit, and the contents.
+function head(contents) {
+  const {set, start, fit} = state;
+  const written = "Written by " + (start?.program ?? "naocal") + ", " + new Date().toISOString().slice(0, 16).replace("T", " ") + " UTC";
+  const robots = [set && set.headId ? "robot with head " + set.headId : "", ...state.robots.keys()].filter(Boolean).join(", ");
+  return element("header", {}, element("h1", {}, titleNow()), element("p", {class: "soft"}, [written, robots].filter(Boolean).join("; ") + "."),
+    fit ? element("p", {}, element("b", {}, fit.headline), " " + fit.sentence) : "", element("nav", {"aria-label": "contents"}, contents));
+}
+
 const pause = () => new Promise(resolve => setTimeout(resolve, 60));
 
 export async function saveSession() {
-  const page = element("main"), stage = document.body.appendChild(element("div", {class: "stage", "aria-hidden": "true"}));
+  const page = element("main"), contents = element("ol"), stage = document.body.appendChild(element("div", {class: "stage", "aria-hidden": "true"}));
   stage.inert = true;
   try {
     for (const {name, show, shows} of views) {
@@ -17,10 +28,13 @@ export async function saveSession() {
       show(parent);
       for (let i = 0; i < 4; ++i) await pause(); // figures are drawn after layout
       await Promise.all([...parent.querySelectorAll("img")].map(image => image.decode().catch(() => {})));
-      page.append(element("section", {}, element("p", {class: "soft"}, name), still(parent)));
+      const id = "view-" + page.children.length;
+      contents.append(element("li", {}, element("a", {href: "#" + id}, name)));
+      page.append(element("section", {id}, element("p", {class: "soft"}, name), still(parent)));
       parent.remove();
     }
-    const style = await (await fetch("panel.css")).text(), title = "naocal session" + (state.set ? ", " + state.set.names.join(", ") : "");
+    page.prepend(head(contents));
+    const style = await (await fetch("panel.css")).text(), title = titleNow();
     const theme = document.documentElement.dataset.theme;
     download("session.html", "<!doctype html>\n<html lang=\"en\"" + (theme ? " data-theme=\"" + theme + "\"" : "") + "><head><meta charset=\"utf-8\"><meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">" +
       "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'; img-src data:\">" + element("title", {}, title).outerHTML +

@@ -12,7 +12,13 @@ export const hasHistory = () => Boolean(state.history?.robots.length);
 /** "2026-02-14 10:05" @param {string} time */
 const minute = time => time.slice(0, 16).replace("T", " ");
 
-const openRun = id => act({do: "openRun", id});
+export const openRun = id => act({do: "openRun", id});
+
+/** The newest run of a head that has captures. @param {string | undefined} head @returns {RecordedRun | undefined} */
+export function newestRun(head) {
+  const runs = (state.history?.robots ?? []).flatMap(({runs}) => runs).filter(run => run.robot.head === head && run.captures);
+  return runs.sort((a, b) => a.time < b.time ? -1 : 1).at(-1);
+}
 
 export function showHistory(parent) {
   const {history} = state;

@@ -2,8 +2,9 @@
 import {at, button, confirmation, element, question as dialog} from "naocal/lib/dom.js";
 import {saveSession} from "../core/session-export.js";
 import {act, of, say, valueOf} from "../core/state.js";
+import {newestRun, openRun} from "../history/history.js";
 import {running, stateKey} from "./health.js";
-import {displayName, nameOf, robots} from "./robots.js";
+import {displayName, headName, nameOf, robots} from "./robots.js";
 
 export const runner = "Brain.CalibrationRunner";
 export const offsetsMount = "Motion.JointCalibrationProvider";
@@ -85,11 +86,13 @@ const canUndo = ({sentence}) => !/saved was taken back/.test(sentence);
 export function afterwards({robot, entry, state, isRunning, draw, when}) {
   const can = entry.connected && Boolean(state) && !isRunning, undoable = can && canUndo(state);
   const asks = what => () => { confirming = what && {what, robot}; draw(); };
-  when("after", [robot, can, undoable, confirming], () => [
+  const run = isRunning ? undefined : newestRun(headName(robot)), isOver = ["finished", "failed"].includes(state?.phase);
+  when("after", [robot, can, undoable, confirming, run?.id, isOver], () => [
     element("p", {class: "controls"},
+      run ? button("Open its captures", () => openRun(run.id), {class: isOver ? "main" : "", title: "opens the captures of this robot's last calibration: where the prediction fails, what is missing, its result"}) : null,
       button("Undo …", asks("undo"), {disabled: !undoable, title: "restores the values from before the last calibration"}),
       button("Save …", asks("save"), {disabled: !can, title: "writes values set by hand to the robot's files"}),
-      button("Export", saveSession, {title: "everything shown, as one HTML file"})),
+      button("Save as page", saveSession, {title: "everything that this panel shows, as one HTML file"})),
     waits("undo", robot) && undoable ? confirmation("Take back what the last calibration saved on " + nameOf(robot) + ", offsets and cameras?", "Undo on " + nameOf(robot), () => {
       confirming = null;
       if (set(robot, runner, "run", "")) set(robot, runner, "run", "undo");

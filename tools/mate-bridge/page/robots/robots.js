@@ -18,7 +18,7 @@ export function bridgeLost() {
 }
 
 // Head name from the robot's configuration; "" if unknown.
-function headName(robot) {
+export function headName(robot) {
   const name = (robots.get(robot)?.keys.get("tuhhSDK.base") || []).find(({key}) => key === "NaoInfo.headName")?.value;
   return typeof name === "string" ? name : "";
 }

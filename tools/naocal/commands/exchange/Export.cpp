@@ -5,7 +5,9 @@
 #include "console/print/PrintText.hpp"
 
 #include "command-line/OptionChecks.hpp"
+#include "dialects/DialectNames.hpp"
 #include "dialects/Dialects.hpp"
+#include "dialects/UrdfCorrection.hpp"
 #include "dialects/heads/HeadDialects.hpp"
 #include "io/Files.hpp"
 #include "io/Folders.hpp"
@@ -101,15 +103,6 @@ std::string dialectHelp() {
   return text;
 }
 
-std::vector<std::string> exportNames() {
-  std::vector<std::string> names = dialectNames();
-  names.emplace_back(urdfDialect);
-  for (const HeadDialect& dialect : headDialects()) {
-    names.emplace_back(dialect.name);
-  }
-  return names;
-}
-
 } // namespace
 
 void addExport(CLI::App& app) {
@@ -121,7 +114,7 @@ void addExport(CLI::App& app) {
       ->required();
   exporter->add_option("--to", command->dialect, "the other program, as listed below")
       ->type_name("DIALECT")
-      ->check(oneOf(exportNames()))
+      ->check(oneOf(exportedDialects()))
       ->required();
   exporter
       ->add_option("-o,--output", command->output,

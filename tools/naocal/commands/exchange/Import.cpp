@@ -4,6 +4,7 @@
 #include "console/print/PrintText.hpp"
 
 #include "command-line/OptionChecks.hpp"
+#include "dialects/DialectNames.hpp"
 #include "dialects/Dialects.hpp"
 #include "dialects/heads/HeadDialects.hpp"
 #include "io/Files.hpp"
@@ -100,14 +101,6 @@ void importCalibration(const ImportCommand& command) {
   printText("written to {}; next: naocal solve CAPTURES -o result.json --start {}\n", command.output, command.output);
 }
 
-std::vector<std::string> importNames() {
-  std::vector<std::string> names = dialectNames();
-  for (const HeadDialect& dialect : headDialects()) {
-    names.emplace_back(dialect.name);
-  }
-  return names;
-}
-
 } // namespace
 
 void addImport(CLI::App& app) {
@@ -117,7 +110,7 @@ void addImport(CLI::App& app) {
   importer->add_option("FILE", command->files, "files of one robot, at most one of each kind")->type_name("FILE");
   importer->add_option("--from", command->dialect, "the other program")
       ->type_name("DIALECT")
-      ->check(oneOf(importNames()));
+      ->check(oneOf(importedDialects()));
   importer->add_option("-o,--output", command->output, "write the calibration to this file, or - for standard output")
       ->type_name("FILE")
       ->check(replaceableFile("naocal-calibration"));
