@@ -75,7 +75,9 @@ PreparedImage::Group groupOf(const StateLayout& quantities, const std::vector<st
   Listed quantityPlaces{quantities.size(), group.quantities};
   const auto add = [&](Eigen::Index column, std::size_t quantity, std::size_t slope) {
     if (concerns(quantity)) {
-      group.shares.push_back({columnPlaces.indexOf(column), quantityPlaces.indexOf(quantity), slope});
+      group.shares.push_back({static_cast<std::int32_t>(columnPlaces.indexOf(column)),
+                              static_cast<std::int32_t>(quantityPlaces.indexOf(quantity)),
+                              static_cast<std::int32_t>(slope)});
     }
   };
   for (std::size_t i = 0; i < slopes.size(); ++i) {
@@ -86,6 +88,9 @@ PreparedImage::Group groupOf(const StateLayout& quantities, const std::vector<st
     add(static_cast<Eigen::Index>(unknowns.size() + prepared.deflections[i]), quantities.angle(prepared.joints[i]),
         slopes.size() + i);
   }
+  group.quantities.shrink_to_fit();
+  group.columns.shrink_to_fit();
+  group.shares.shrink_to_fit();
   return group;
 }
 

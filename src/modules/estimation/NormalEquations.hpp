@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace naocal {
@@ -60,9 +61,9 @@ struct PreparedImage {
     std::vector<std::size_t> quantities;
     std::vector<std::size_t> extras;   // indices among `quantities` (`ObservationChain::extraIndex`)
     std::vector<Eigen::Index> columns; // columns that affect the quantities
-    struct Share {
-      Eigen::Index column, quantity; // indices into the two lists above
-      std::size_t slope;             // index of d(quantity)/d(column) in `slopeValues`
+    struct Share {                     // 12 bytes: a wide model has a thousand per picture
+      std::int32_t column, quantity;   // indices into the two lists above
+      std::int32_t slope;              // index of d(quantity)/d(column) in `slopeValues`
     };
     std::vector<Share> shares;
   };

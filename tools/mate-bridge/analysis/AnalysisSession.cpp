@@ -89,6 +89,7 @@ void AnalysisSession::tellSet(const ModelRevision& rung) {
     joints.push_back(joint.name);
   }
   tell_("set", {{"names", opened_.inputs.sets},
+                {"result", opened_.result},
                 {"robot", measurements_->robot.model},
                 {"headId", opened_.sets.front().headId},
                 {"bodyId", opened_.sets.front().bodyId},

@@ -117,6 +117,7 @@ void addDiagnosis(const JsonCursor& diagnosis, const SetSearch& search, bool set
 
 void takeModel(const std::string& resultFile, Dataset& opened) {
   const StoredResult stored = readResult(resultFile);
+  opened.result = resultFile;
   opened.terms = stored.terms;
   opened.definitions = stored.definitions;
 }

@@ -18,7 +18,8 @@ struct Dataset {
   ResultSources inputs;
   std::map<std::string, std::filesystem::path> folders; // by set name
   Robot robot;
-  std::vector<std::string> terms; // of the opened result; empty: base model
+  std::string result;             // file of the opened result, or of the opened recording; may be empty
+  std::vector<std::string> terms; // of that result; empty: base model
   std::vector<std::string> with,
       without;                       // differences from the base model, of an opened diagnosis or model
   std::string definitions = "[]";    // custom effects, a JSON list

@@ -1,9 +1,12 @@
 // Tools view: runs naocal commands and shows the command line.
 import {button, element, empty} from "naocal/lib/dom.js";
 import {on} from "./core/connection.js";
-import {act} from "./core/state.js";
+import {act, state} from "./core/state.js";
 
-// Field: `flag` (absent: positional argument), `value` (initial), `options` (select; a name: a list of the bridge), `check` (switch), `opens` (a path that the panel can open).
+// What is open in the panel, else what the commands before have written.
+const openCaptures = () => state.set?.names[0] ?? "simulated", openResult = () => state.set?.result || "result.json";
+
+// Field: `flag` (absent: positional argument), `value` (initial, or a function that returns it), `options` (select; a name: a list of the bridge), `check` (switch), `opens` (a path that the panel can open).
 const modelFields = [{flag: "--with", label: "add effects", value: ""}, {flag: "--without", label: "leave effects out", value: ""}, {flag: "--model", label: "model file", value: ""},
   {flag: "--same-place", label: "boards and stances of equal names are at the same place in all sets", check: true}, {flag: "--skip-bad", label: "skip unusable captures", check: true}];
 const commands = [
@@ -19,25 +22,25 @@ const commands = [
       {flag: "--support", label: "stand on", options: ["left", "right", "both"]}, {flag: "--seed", label: "robot number", value: "1"},
       {flag: "--hidden-flaw", label: "hide a flaw in it", check: true}, {flag: "--images", label: "with pictures", check: true},
       {flag: "--force", label: "replace existing captures", check: true}]},
-  {words: ["check"], name: "Check captures", what: "Every problem of a capture set at once.", fields: [{label: "captures", value: "simulated"}]},
+  {words: ["check"], name: "Check captures", what: "Every problem of a capture set at once.", fields: [{label: "captures", value: openCaptures}]},
   {words: ["detect"], name: "Find corners", what: "Finds the boards' corners in recorded pictures.",
-    fields: [{label: "captures", value: "simulated", opens: true}, {flag: "--dry-run", label: "do not change the captures", check: true}]},
+    fields: [{label: "captures", value: openCaptures, opens: true}, {flag: "--dry-run", label: "do not change the captures", check: true}]},
   {words: ["solve"], name: "Solve", what: "Calibrates joints and cameras from captures. The captures open in this panel are not affected.",
-    fields: [{label: "captures", value: "simulated"}, {flag: "-o", label: "write the result to", value: "result.json", opens: true}, ...modelFields,
+    fields: [{label: "captures", value: openCaptures}, {flag: "-o", label: "write the result to", value: "result.json", opens: true}, ...modelFields,
       {flag: "--restarts", label: "additional random starts", value: "0"}]},
   {words: ["diagnose"], name: "Diagnose", what: "Shows where and why the model fails, and which effect is missing.",
-    fields: [{label: "captures", value: "simulated"}, {flag: "--json", label: "write the diagnosis to", value: "diagnosis.json", opens: true}, ...modelFields,
+    fields: [{label: "captures", value: openCaptures}, {flag: "--json", label: "write the diagnosis to", value: "diagnosis.json", opens: true}, ...modelFields,
       {flag: "--next", label: "write next poses to", value: ""}, {flag: "--own", label: "write an unexplained pattern as a custom effect to", value: ""}, {flag: "--draws", label: "noise draws", value: "199"}]},
   {words: ["compare"], name: "Compare a result", what: "How well a result predicts captures that it was not fitted to.",
-    fields: [{label: "result", value: "result.json"}, {label: "captures", value: "simulated"}, {flag: "--against", label: "against another result", value: ""},
+    fields: [{label: "result", value: openResult}, {label: "captures", value: openCaptures}, {flag: "--against", label: "against another result", value: ""},
       {flag: "--same-place", label: "boards and feet have not moved since the result", check: true}]},
   {words: ["report"], name: "Report", what: "One page about a result, a diagnosis or an evaluation; opens without a network.",
-    fields: [{label: "result, diagnosis or evaluation", value: "result.json"}, {flag: "-o", label: "write the page to", value: "report.html"}]},
+    fields: [{label: "result, diagnosis or evaluation", value: openResult}, {flag: "-o", label: "write the page to", value: "report.html"}]},
   {words: ["apply"], name: "Apply a result", what: "Writes a result into a robot's configuration in HULKs' layout, both files or none. First look at what changes, without writing.",
-    fields: [{label: "result", value: "result.json"}, {flag: "--configuration", label: "folder with location/ in it", value: ""},
+    fields: [{label: "result", value: openResult}, {flag: "--configuration", label: "folder with location/ in it", value: ""},
       {flag: "--dry-run", label: "show what would change, write nothing", check: true}, {flag: "--undo", label: "restore what was there before the last save", check: true}]},
   {words: ["export"], name: "Export a result", what: "Writes a result as configuration files of another program. Joints that are less than 50 % learned keep the values of files that are there.",
-    fields: [{label: "result", value: "result.json"}, {flag: "--to", label: "for", options: "exportedDialects"}, {flag: "-o", label: "folder to write to", value: "exported"}]},
+    fields: [{label: "result", value: openResult}, {flag: "--to", label: "for", options: "exportedDialects"}, {flag: "-o", label: "folder to write to", value: "exported"}]},
   {words: ["import"], name: "Import a configuration", what: "Reads a robot's calibration from another program's files, as the start of a calibration (solve --start).",
     fields: [{label: "file", value: ""}, {flag: "--from", label: "of", options: "importedDialects"}, {flag: "-o", label: "write the calibration to", value: "start.json"}]},
   {words: ["evaluate", "thesis"], name: "Evaluate: solver", what: "Success rate of the solver, beside plain Levenberg-Marquardt, the Cramér-Rao limit and the thesis's tables.",
@@ -62,7 +65,7 @@ export function chooseCommand(name) {
 
 const keyOf = field => chosen.name + "/" + field.label;
 const optionsOf = field => typeof field.options === "string" ? told[field.options] : field.options;
-const valueOf = field => typed.get(keyOf(field)) ?? (field.check ? false : field.options ? optionsOf(field)[0] : field.value);
+const valueOf = field => typed.get(keyOf(field)) ?? (field.check ? false : field.options ? optionsOf(field)[0] : typeof field.value === "function" ? field.value() : field.value);
 
 // The command line's words, including defaults.
 function wordsNow() {

@@ -12,6 +12,8 @@ export interface UserEffect {
 /** "set": the open captures, and what models of them can have. */
 export interface SetMessage {
   names: string[];
+  /** File of the opened result, or of the opened recording; or "". */
+  result: string;
   robot: string;
   headId: string;
   bodyId: string;
