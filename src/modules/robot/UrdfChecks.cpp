@@ -1,6 +1,7 @@
 #include "robot/UrdfChecks.hpp"
 
 #include "io/InputError.hpp"
+#include "io/JsonWriter.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,6 +10,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <string_view>
 #include <tinyxml.h>
@@ -70,6 +72,28 @@ void checkNesting(std::string_view text, const std::string& name) {
     }
     if (depth > most) {
       throw InputError{fmt::format("{}: expected a URDF, found more than {} elements within each other", name, most)};
+    }
+  }
+}
+
+/// Refuses names that a result or a column map, which are JSON, cannot hold.
+void checkName(const UrdfText& urdf, const TiXmlElement& element) {
+  const std::string name = text(element, "name");
+  try {
+    (void)nlohmann::json(name).dump();
+  } catch (const nlohmann::json::exception&) {
+    refuse(urdf, fmt::format("line {}, <{}>", element.Row(), element.Value()), "a name in UTF-8",
+           compactText(name) + "; write it in UTF-8");
+  }
+}
+
+void checkNames(const UrdfText& urdf) {
+  const TiXmlElement* root = urdf.document.RootElement();
+  checkName(urdf, *root);
+  for (const char* tag : {"link", "joint"}) {
+    for (const TiXmlElement* element = root->FirstChildElement(tag); element != nullptr;
+         element = element->NextSiblingElement(tag)) {
+      checkName(urdf, *element);
     }
   }
 }
@@ -230,7 +254,7 @@ void checkUrdf(const std::string& text, const std::string& name) {
     throw InputError{fmt::format("{}: expected a URDF, found a zero byte", name)};
   }
   checkNesting(text, name);
-  urdf.document.Parse(text.c_str(), nullptr, TIXML_ENCODING_UTF8);
+  urdf.document.Parse(text.c_str()); // as urdfdom does: other options read &#228; otherwise
   if (urdf.document.Error()) {
     throw InputError{fmt::format("{}, line {}, column {}: expected XML, found an error there ({})", name,
                                  urdf.document.ErrorRow(), urdf.document.ErrorCol(), urdf.document.ErrorDesc())};
@@ -239,6 +263,7 @@ void checkUrdf(const std::string& text, const std::string& name) {
   if (root == nullptr || root->Value() != std::string_view{"robot"}) {
     refuse(urdf, "top", "the element <robot>", root == nullptr ? "none" : fmt::format("<{}>", root->Value()));
   }
+  checkNames(urdf);
   refuseXacro(urdf);
   checkNumbers(urdf);
   checkTree(urdf);
