@@ -63,7 +63,7 @@ public:
   static std::optional<std::string> boards(std::string_view name);
 
   /// {"kind": "start", "recent": [{"paths", "name", "folder", "what", "opened" [s]}], "problem", "robots": listed
-  /// addresses, "search", "sample", "robot": states}
+  /// addresses, "search", "sample", "robot": states, "drop": what may be dropped}
   std::string message() const;
 
 private:

@@ -145,6 +145,8 @@ export interface StartMessage {
 }
 
 /** A file to import: the name of a dropped one, or a path on this computer; and the dropped ones to choose from. */
+  /** What may be dropped: endings of names (all, and those of a capture set's files), limits, and what is expected in words. */
+  drop: {endings: string[], endingsOfSet: string[], endingOfTruth: string, mostFiles: number, mostBytes: number, expected: string};
 export interface ImportSource {
   chosen: string;
   found: string[];
