@@ -11,6 +11,7 @@
 #include "io/FileKind.hpp"
 #include "io/InputError.hpp"
 #include "poses/PoseFile.hpp"
+#include "scenes/SceneNextPoses.hpp"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -69,18 +70,6 @@ DiagnosisOptions readOptions(const Keywords& given, const Robot& robot) {
   return options;
 }
 
-/// Proposes poses; where that is refused, only the reason.
-NextPoses propose(const Measurements& measurements, const Diagnosis& diagnosis, const DiagnosisOptions& options,
-                  std::size_t count) {
-  try {
-    return proposeNextPoses(measurements, diagnosis, options, {.count = count, .seed = options.candidateTests.seed});
-  } catch (const InputError& error) { // the diagnosis stands all the same
-    NextPoses none;
-    none.whyNone = error.what();
-    return none;
-  }
-}
-
 SharedDiagnosed diagnoseCaptures(const std::shared_ptr<Captures>& captures, const py::kwargs& keywords) {
   const Keywords given{keywords};
   const Measurements& measurements = captures->measurements;
@@ -96,7 +85,8 @@ SharedDiagnosed diagnoseCaptures(const std::shared_ptr<Captures>& captures, cons
   };
   return call.run([&] {
     Diagnosis diagnosis = diagnose(measurements, options);
-    NextPoses next = propose(measurements, diagnosis, options, count);
+    NextPoses next =
+        proposeSceneNextPoses(measurements, diagnosis, options, {.count = count, .seed = options.candidateTests.seed});
     call.report(most, most);
     return std::make_shared<Diagnosed>(Diagnosed{captures, std::move(diagnosis), std::move(next)});
   });

@@ -1,5 +1,7 @@
 """The package computes what the terminal's commands compute: all numbers are equal to the last digit."""
 
+import json
+
 import naocal
 import numpy as np
 
@@ -113,6 +115,28 @@ def test_a_diagnosis_is_the_commands(run, read, folder, captures, tmp_path):
     assert [s.held_out_px for s in diagnosis.steps] == [s["heldOutPx"] for s in document["steps"]]
     assert all(np.array_equal(c.points, d["curve"]) for c, d in zip(diagnosis.curves, document["drivers"]))
     assert diagnosis.curves
+
+
+def test_next_poses_of_an_arm_are_the_commands(run, read, tmp_path):
+    """Proves that poses are proposed for a robot with a URDF, too, those of 'naocal diagnose'."""
+    joints = [("turn", "base", "upper", "0 0 0.3", "0 0 1"), ("lift", "upper", "fore", "0.1 0 0", "0 1 0"),
+              ("bend", "fore", "hand", "0.4 0 0", "0 1 0")]
+    (tmp_path / "arm.urdf").write_text('<robot name="arm">' + "".join(
+        f'<link name="{link}"/>' for link in ("base", "upper", "fore", "hand")) + "".join(
+        f'<joint name="{name}" type="revolute"><parent link="{parent}"/><child link="{child}"/><origin xyz="{xyz}"/>'
+        f'<axis xyz="{axis}"/><limit lower="-2" upper="2" velocity="1" effort="1"/></joint>'
+        for name, parent, child, xyz, axis in joints) + "</robot>")
+    (tmp_path / "scene.json").write_text(json.dumps({
+        "format": "naocal-scene", "version": 1, "robot": {"urdf": "arm.urdf"},
+        "trackers": {"laser": {"sigma": 0.0005, "about": {"x": 2, "y": 0.3, "z": 1, "yaw": 3}}},
+        "markers": [{"id": "ball", "link": "hand", "about": [0.1, 0.05, 0.02]}]}))
+    run("simulate", tmp_path / "arm", "--robot", tmp_path / "arm.urdf", "--scene", tmp_path / "scene.json", "--poses", 8,
+        "--samples", 1, "--seed", 3)
+    run("diagnose", tmp_path / "arm", "--json", tmp_path / "told.json")
+    diagnosis = naocal.diagnose(naocal.read_captures(tmp_path / "arm"))
+    assert without_seconds(diagnosis.to_dict()) == read(tmp_path / "told.json")
+    poses = diagnosis.to_dict()["next"]["poses"]
+    assert len(poses) == 4 and all(pose["observes"] == ["ball"] for pose in poses)
 
 
 def test_captures_hold_what_was_recorded(folder, captures, read):

@@ -174,6 +174,11 @@ TEST_CASE("what is no URDF of a robot is refused in one sentence with its place"
        "a xacro file, not a URDF; expand it first"},
       {"xyz=\"0 0 0.3\"", "xyz=\"0 0 ${height}\"", "expand it first"},
       {"xyz=\"0 0 0.3\"", "xyz=\"0 0 $(arg height)\"", "expand it first"},
+      {"<link name=\"plate\"/>", "<link name=\"pl\xe4te\"/>",
+       "arm.urdf, line 7, <link>: expected a name in UTF-8, found \"pl\xef\xbf\xbdte\"; write it in UTF-8"},
+      {"joint name=\"roll\"", "joint name=\"r\xf6ll\"", "line 10, <joint>: expected a name in UTF-8"},
+      {"joint name=\"mount\"", "joint name=\"m&#246;unt\"", "line 12, <joint>: expected a name in UTF-8"},
+      {"<robot name=\"arm\">", "<robot name=\"\xc3\">", "line 1, <robot>: expected a name in UTF-8"},
       {"</robot>", "", "expected XML, found an error there"},
       {"<robot name=\"arm\">", "<model name=\"arm\">", "expected XML, found an error there"},
       {"<limit lower=\"-2\" upper=\"1.5\" velocity=\"3\" effort=\"1\"/>", "",
@@ -187,6 +192,16 @@ TEST_CASE("what is no URDF of a robot is refused in one sentence with its place"
   } catch (const InputError& error) {
     CHECK(std::string{error.what()}.find('\n') == std::string::npos);
   }
+}
+
+TEST_CASE("a URDF's names are any in UTF-8 and its comments any bytes") {
+  // Proves that names of other alphabets are kept, as bytes and as references, and that only names are refused for
+  // their bytes.
+  const std::string declared = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>";
+  const std::string greek = "\xce\xb1"; // alpha
+  CHECK(parseUrdf(with(arm, "\"turn\"", '"' + greek + '"'), "a").jointIndex(greek));
+  CHECK(parseUrdf(declared + with(arm, "\"turn\"", "\"&#945;\""), "a").jointIndex(greek));
+  CHECK_NOTHROW(parseUrdf(with(arm, "<link name=\"plate\"/>", "<!-- \xe4 --><link name=\"plate\"/>"), "a"));
 }
 
 TEST_CASE("comments of a URDF do not count, and deep nesting does not exhaust the stack") {

@@ -109,6 +109,19 @@ TEST_CASE("no poses are proposed where only touches measured an arm") {
         "neither a camera nor a tracker measured the robot in the last set, and touches are not planned");
 }
 
+TEST_CASE("where proposing poses is refused, the reason stands in their place") {
+  // Proves it for a model that cannot be built: callers show the diagnosis all the same.
+  const TemporaryFolder folder;
+  writeArmSet(folder.path());
+  const CaptureSet set = readCaptureSet(folder.path()).set;
+  const Measurements measurements = buildMeasurements({set}, loadRobot(set));
+  Diagnosis diagnosis;
+  diagnosis.with = {"softness@lift"};
+  const NextPoses next = proposeSceneNextPoses(measurements, diagnosis, {});
+  CHECK(next.poses.empty());
+  CHECK_THAT(next.whyNone, Catch::Contains("softness"));
+}
+
 TEST_CASE("poses proposed for a K1 on one foot show it the boards of its set from a new stance", "[slow]") {
   // Proves it for a shipped robot, whose world is its first board: every pose sees a board of the set, none is beyond
   // what the encoders can read, and the stance is a new one.

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <numeric>
 #include <random>
 
@@ -145,13 +146,9 @@ NextPoses proposeNextPoses(const FittedModel& fitted, const ModelAmbiguity& ques
   return result;
 }
 
-NextPoses proposeNextPoses(const Measurements& measurements, const Diagnosis& diagnosis, const DiagnosisOptions& asked,
-                           const NextPosesOptions& options) {
-  const ModelAmbiguity question = findAmbiguity(diagnosis, measurements.robot, asked);
-  const Model model = buildModel(measurements, diagnosis.with, asked.without, asked.effects);
-  CalibrationResult fit = diagnosis.lastFit;
-  fit.noise.pose = diagnosis.scatter;
-  return proposeNextPoses({measurements, model, fit}, question, options);
+std::string howToTake(const NextPoses& next) {
+  const char* const leave = next.around.empty() ? "everything where it stands" : "the boards where they lie";
+  return fmt::format("Leave {}, record the poses as a new set with \"stance\": {}", leave, next.firstStance);
 }
 
 } // namespace naocal

@@ -50,8 +50,7 @@ void selectNextPoses(const ModelAmbiguity& question, const PlannedInformation& i
 NextPoses proposeNextPoses(const FittedModel& fitted, const ModelAmbiguity& question,
                            const NextPosesOptions& options = {});
 
-/// The same for the last model of a diagnosis and its open question.
-NextPoses proposeNextPoses(const Measurements& measurements, const Diagnosis& diagnosis, const DiagnosisOptions& asked,
-                           const NextPosesOptions& options = {});
+/// What a person does with them: "Leave the boards where they lie, record the poses as a new set with ..".
+std::string howToTake(const NextPoses& next);
 
 } // namespace naocal

@@ -4,6 +4,8 @@
 #include "io/InputError.hpp"
 #include "robot/Kinematics.hpp"
 #include "robot/Urdf.hpp"
+#include "robot/UrdfChecks.hpp"
+#include "robot/UrdfContent.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -79,9 +81,20 @@ void addMounts(const CaptureSet& set, Robot& robot) {
   }
 }
 
+/// Whether a set's URDF says the same as this one's text.
+bool hasUrdf(const CaptureSet& set, const std::string& urdf) {
+  const std::filesystem::path file = findUrdf(set);
+  const std::string own = readUrdf(file);
+  if (own == urdf) {
+    return true;
+  }
+  checkUrdf(own, file.string());
+  return urdfContent(own) == urdfContent(urdf);
+}
+
 /// `urdf`: the text of the first set's.
 void refuseOtherUrdf(const CaptureSet& set, const CaptureSet& first, const std::string& urdf) {
-  if (set.urdf.empty() || set.base != first.base || readUrdf(findUrdf(set)) != urdf) {
+  if (set.urdf.empty() || set.base != first.base || !hasUrdf(set, urdf)) {
     throw InputError{fmt::format("{}: robot: expected the URDF and the base of {}, found others; sets given together "
                                  "must be of one robot",
                                  set.name, first.name)};

@@ -15,7 +15,8 @@ Robot loadRobot(const CaptureSet& set, const std::filesystem::path& configuratio
 
 /// The robot of sets that are used together, with the cameras and soles of all.
 ///
-/// Throws InputError in these cases and for sets with other URDFs or bases. Other models are `buildMeasurements`'.
+/// Throws InputError in these cases and for sets with other bases or URDFs that say something else. Other models are
+/// `buildMeasurements`'.
 Robot loadRobot(std::span<const CaptureSet> sets,
                 const std::filesystem::path& configuration = configurationDirectory());
 

@@ -13,8 +13,8 @@ namespace naocal {
 /// of them; a motor that drives several joints has one name, that of the joint that mimics none.
 ///
 /// Throws InputError with file, place, expected and found: files with xacro's elements or unexpanded expressions,
-/// loops, no root or several, unknown joint types, numbers that are none, zero axes, negative masses, mimic of unknown
-/// joints.
+/// names that are not UTF-8, loops, no root or several, unknown joint types, numbers that are none, zero axes, negative
+/// masses, mimic of unknown joints.
 Robot loadUrdf(const std::filesystem::path& file);
 
 /// The text of a URDF. Throws InputError for a file that cannot be read or is larger than any URDF.

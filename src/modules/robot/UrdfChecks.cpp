@@ -1,6 +1,7 @@
 #include "robot/UrdfChecks.hpp"
 
 #include "io/InputError.hpp"
+#include "io/JsonWriter.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,10 +10,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <string_view>
 #include <tinyxml.h>
-#include <vector>
 
 namespace naocal {
 
@@ -75,6 +76,28 @@ void checkNesting(std::string_view text, const std::string& name) {
   }
 }
 
+/// Refuses names that a result or a column map, which are JSON, cannot hold.
+void checkName(const UrdfText& urdf, const TiXmlElement& element) {
+  const std::string name = text(element, "name");
+  try {
+    (void)nlohmann::json(name).dump();
+  } catch (const nlohmann::json::exception&) {
+    refuse(urdf, fmt::format("line {}, <{}>", element.Row(), element.Value()), "a name in UTF-8",
+           compactText(name) + "; write it in UTF-8");
+  }
+}
+
+void checkNames(const UrdfText& urdf) {
+  const TiXmlElement* root = urdf.document.RootElement();
+  checkName(urdf, *root);
+  for (const char* tag : {"link", "joint"}) {
+    for (const TiXmlElement* element = root->FirstChildElement(tag); element != nullptr;
+         element = element->NextSiblingElement(tag)) {
+      checkName(urdf, *element);
+    }
+  }
+}
+
 void refuseXacro(const UrdfText& urdf) {
   visitElements(*urdf.document.RootElement(), [&](const TiXmlElement& element) {
     const std::string_view tag = element.Value();
@@ -90,44 +113,40 @@ void refuseXacro(const UrdfText& urdf) {
   });
 }
 
-/// Numbers of an attribute; refuses others, and a wrong count.
+/// Refuses an attribute that holds other words than numbers, or a wrong count of them.
 void requireNumbers(const UrdfText& urdf, const TiXmlElement& element, const char* attribute, std::size_t count) {
   const char* value = element.Attribute(attribute);
   if (value == nullptr) {
     return;
   }
-  std::istringstream words{value};
-  std::size_t numbers = 0;
-  for (std::string word; words >> word; ++numbers) {
-    const std::string_view digits = word.starts_with('+') ? std::string_view{word}.substr(1) : word;
-    double number = 0;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
-    if (error != std::errc{} || end != digits.data() + digits.size() || !std::isfinite(number)) {
-      refuse(urdf, placeOf(element), fmt::format("finite numbers in '{}'", attribute), fmt::format("'{}'", value));
-    }
+  const auto numbers = parseUrdfNumbers(value);
+  if (!numbers) {
+    refuse(urdf, placeOf(element), fmt::format("finite numbers in '{}'", attribute), fmt::format("'{}'", value));
   }
-  if (numbers != count) {
+  if (numbers->size() != count) {
     refuse(urdf, placeOf(element), fmt::format("{} number{} in '{}'", count, count == 1 ? "" : "s", attribute),
            fmt::format("'{}'", value));
   }
 }
 
+/// An attribute that holds numbers, and how many.
+struct NumericAttribute {
+  const char *element, *attribute;
+  std::size_t count;
+};
+constexpr std::array<NumericAttribute, 22> numericAttributes{
+    {{"origin", "xyz", 3},       {"origin", "rpy", 3},       {"axis", "xyz", 3},         {"mass", "value", 1},
+     {"inertia", "ixx", 1},      {"inertia", "ixy", 1},      {"inertia", "ixz", 1},      {"inertia", "iyy", 1},
+     {"inertia", "iyz", 1},      {"inertia", "izz", 1},      {"limit", "lower", 1},      {"limit", "upper", 1},
+     {"limit", "velocity", 1},   {"limit", "effort", 1},     {"box", "size", 3},         {"cylinder", "radius", 1},
+     {"cylinder", "length", 1},  {"sphere", "radius", 1},    {"mimic", "multiplier", 1}, {"mimic", "offset", 1},
+     {"dynamics", "damping", 1}, {"dynamics", "friction", 1}}};
+
 void checkNumbers(const UrdfText& urdf) {
-  struct Numbers {
-    const char *element, *attribute;
-    std::size_t count;
-  };
-  constexpr std::array<Numbers, 22> all{
-      {{"origin", "xyz", 3},       {"origin", "rpy", 3},       {"axis", "xyz", 3},         {"mass", "value", 1},
-       {"inertia", "ixx", 1},      {"inertia", "ixy", 1},      {"inertia", "ixz", 1},      {"inertia", "iyy", 1},
-       {"inertia", "iyz", 1},      {"inertia", "izz", 1},      {"limit", "lower", 1},      {"limit", "upper", 1},
-       {"limit", "velocity", 1},   {"limit", "effort", 1},     {"box", "size", 3},         {"cylinder", "radius", 1},
-       {"cylinder", "length", 1},  {"sphere", "radius", 1},    {"mimic", "multiplier", 1}, {"mimic", "offset", 1},
-       {"dynamics", "damping", 1}, {"dynamics", "friction", 1}}};
   visitElements(*urdf.document.RootElement(), [&](const TiXmlElement& element) {
-    for (const Numbers& numbers : all) {
-      if (element.Value() == std::string_view{numbers.element}) {
-        requireNumbers(urdf, element, numbers.attribute, numbers.count);
+    for (const NumericAttribute& numeric : numericAttributes) {
+      if (element.Value() == std::string_view{numeric.element}) {
+        requireNumbers(urdf, element, numeric.attribute, numeric.count);
       }
     }
   });
@@ -208,13 +227,34 @@ void checkTree(const UrdfText& urdf) {
 
 } // namespace
 
+bool holdsNumbers(std::string_view element, std::string_view attribute) {
+  return std::any_of(numericAttributes.begin(), numericAttributes.end(), [&](const NumericAttribute& numeric) {
+    return numeric.element == element && numeric.attribute == attribute;
+  });
+}
+
+std::optional<std::vector<double>> parseUrdfNumbers(std::string_view value) {
+  std::vector<double> numbers;
+  std::istringstream words{std::string{value}};
+  for (std::string word; words >> word;) {
+    const std::string_view digits = word.starts_with('+') ? std::string_view{word}.substr(1) : word;
+    double number = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+    if (error != std::errc{} || end != digits.data() + digits.size() || !std::isfinite(number)) {
+      return std::nullopt;
+    }
+    numbers.push_back(number);
+  }
+  return numbers;
+}
+
 void checkUrdf(const std::string& text, const std::string& name) {
   UrdfText urdf{{}, name};
   if (text.find('\0') != text.npos) {
     throw InputError{fmt::format("{}: expected a URDF, found a zero byte", name)};
   }
   checkNesting(text, name);
-  urdf.document.Parse(text.c_str(), nullptr, TIXML_ENCODING_UTF8);
+  urdf.document.Parse(text.c_str()); // as urdfdom does: other options read &#228; otherwise
   if (urdf.document.Error()) {
     throw InputError{fmt::format("{}, line {}, column {}: expected XML, found an error there ({})", name,
                                  urdf.document.ErrorRow(), urdf.document.ErrorCol(), urdf.document.ErrorDesc())};
@@ -223,6 +263,7 @@ void checkUrdf(const std::string& text, const std::string& name) {
   if (root == nullptr || root->Value() != std::string_view{"robot"}) {
     refuse(urdf, "top", "the element <robot>", root == nullptr ? "none" : fmt::format("<{}>", root->Value()));
   }
+  checkNames(urdf);
   refuseXacro(urdf);
   checkNumbers(urdf);
   checkTree(urdf);

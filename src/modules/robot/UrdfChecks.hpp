@@ -1,12 +1,21 @@
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace naocal {
 
 /// Refuses a URDF that a reader would misread or explain poorly, with file, place, expected and found: text that is no
-/// XML, xacro, links and joints that form no tree, unknown joint types, numbers that are none. Throws InputError.
-/// `name`: the file's, for error messages.
+/// XML, names that are not UTF-8, xacro, links and joints that form no tree, unknown joint types, numbers that are
+/// none. Throws InputError. `name`: the file's, for error messages.
 void checkUrdf(const std::string& text, const std::string& name);
+
+/// Whether an attribute of a URDF's element holds numbers.
+bool holdsNumbers(std::string_view element, std::string_view attribute);
+
+/// The numbers of such an attribute, separated by white space; absent if a word is no finite number.
+std::optional<std::vector<double>> parseUrdfNumbers(std::string_view value);
 
 } // namespace naocal

@@ -2,6 +2,7 @@
 
 #include "calibration/result/PlacementFile.hpp"
 #include "estimation/ModelBuilder.hpp"
+#include "io/InputError.hpp"
 #include "math/Checkpoints.hpp"
 #include "math/LinearAlgebra.hpp"
 #include "poses/criteria/Discrimination.hpp"
@@ -238,11 +239,17 @@ NextPoses proposeSceneNextPoses(const FittedModel& fitted, const ModelAmbiguity&
 
 NextPoses proposeSceneNextPoses(const Measurements& measurements, const Diagnosis& diagnosis,
                                 const DiagnosisOptions& asked, const NextPosesOptions& options) {
-  const Model model = buildModel(measurements, diagnosis.with, asked.without, asked.effects);
-  CalibrationResult fit = diagnosis.lastFit;
-  fit.noise.pose = diagnosis.scatter;
-  return proposeSceneNextPoses({measurements, model, fit}, findAmbiguity(diagnosis, measurements.robot, asked),
-                               options);
+  try {
+    const Model model = buildModel(measurements, diagnosis.with, asked.without, asked.effects);
+    CalibrationResult fit = diagnosis.lastFit;
+    fit.noise.pose = diagnosis.scatter;
+    return proposeSceneNextPoses({measurements, model, fit}, findAmbiguity(diagnosis, measurements.robot, asked),
+                                 options);
+  } catch (const InputError& error) {
+    NextPoses none;
+    none.whyNone = error.what();
+    return none;
+  }
 }
 
 } // namespace naocal

@@ -11,7 +11,8 @@ namespace naocal {
 NextPoses proposeSceneNextPoses(const FittedModel& fitted, const ModelAmbiguity& question,
                                 const NextPosesOptions& options = {});
 
-/// The same for the last model of a diagnosis and its open question.
+/// The same for the last model of a diagnosis and its open question: the one way of commands, panel and Python. Where
+/// proposing is refused, `whyNone` says why: the diagnosis stands all the same.
 NextPoses proposeSceneNextPoses(const Measurements& measurements, const Diagnosis& diagnosis,
                                 const DiagnosisOptions& asked, const NextPosesOptions& options = {});
 

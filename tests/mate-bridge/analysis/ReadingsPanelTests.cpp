@@ -1,9 +1,12 @@
 #include "MeasuredArm.hpp"
 #include "TemporaryFolder.hpp"
 #include "analysis/AnalysisSession.hpp"
+#include "data/CaptureSetFile.hpp"
 #include "io/Files.hpp"
 #include "io/InputError.hpp"
 #include "math/Angles.hpp"
+#include "robot/RobotOfSet.hpp"
+#include "scenes/SceneNextPoses.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -68,7 +71,6 @@ TEST_CASE("the panel is told the errors of readings in their own units, with the
   CHECK(rung["rms"].get<double>() == Approx(questions["steps"][0]["rms"].get<double>()));
   CHECK(rung["heldOut"].get<double>() == Approx(questions["steps"][0]["heldOut"].get<double>()));
   CHECK(questions["candidates"][0]["label"] == "encoderGain@lift");
-  CHECK_THROWS_WITH(session.proposePoses(4), Catch::Contains("NAOs only"));
 }
 
 TEST_CASE("the share that a trend explains of readings is one of their own squared errors") {
@@ -101,4 +103,37 @@ TEST_CASE("a comparison with other readings has a line for every kind") {
   CHECK(kinds[0]["rms"].get<double>() == Approx(1e3 * bench.told["compared"]["metres"]["laser"]["rms"].get<double>()));
   CHECK(kinds[0]["nominal"].get<double>() > 1.2 * kinds[0]["rms"].get<double>());
   CHECK(kinds[1]["unit"] == "°");
+}
+
+TEST_CASE("poses are proposed for an arm, as the command line proposes them", "[slow]") {
+  // Proves that the panel is told the poses of proposeSceneNextPoses, their angles in the joints' display units, and
+  // what to do with them; and that the file holds them.
+  ArmBench bench;
+  AnalysisSession session{openDataset({(bench.folder.path() / "arm").string()}), bench.sink};
+  session.fit();
+  session.proposePoses(2);
+  const Json& next = bench.told["next"];
+  CAPTURE(next.dump(2));
+  REQUIRE(next["poses"].size() == 2);
+  CHECK(next["whyNone"] == "");
+  CHECK(next["howToTake"] == "Leave everything where it stands, record the poses as a new set with \"stance\": 0");
+  const CaptureSet set = readCaptureSet(bench.folder.path() / "arm").set;
+  const Measurements measurements = buildMeasurements({set}, loadRobot(set));
+  DiagnosisOptions asked;
+  asked.extend = false; // of the present model
+  const NextPoses expected = proposeSceneNextPoses(measurements, diagnose(measurements, asked), asked, {.count = 2});
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Json& pose = next["poses"][i];
+    CHECK(pose["observes"] == Json{"ball", "tip", "tool"});
+    REQUIRE(pose["angles"].size() == 4);
+    for (std::size_t joint = 0; joint < 4; ++joint) {
+      const Json& angle = pose["angles"][joint];
+      const double exact = expected.poses.at(i).pose.angles[Eigen::Index(joint)];
+      const bool isSlide = angle["joint"] == "slide";
+      CHECK(pose["joints"][angle["joint"].get<std::string>()] == exact);
+      CHECK(angle["unit"] == (isSlide ? "mm" : "°"));
+      CHECK(angle["value"].get<double>() == Approx(isSlide ? 1000 * exact : degrees(exact)).margin(0.001));
+    }
+  }
+  CHECK(Json::parse(session.generateFile("poses.json"))["poses"].size() == 2);
 }

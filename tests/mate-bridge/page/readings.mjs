@@ -23,7 +23,6 @@ await happens(page.getByRole("img", {name: "errors of positions of laser"}).wait
 check(await page.getByRole("img", {name: "errors in space: positions of laser"}).count() === 1, "and where they lie");
 check(await page.getByRole("img", {name: /^errors against noise/}).count() === 2, "and how they compare with the noise");
 check(await page.getByRole("img", {name: /corners/}).count() === 0 && await page.getByRole("heading", {name: "Captures"}).count() === 0, "there is no picture to show");
-check(await tab(page, "Next poses").isHidden(), "poses are not planned for this robot");
 await page.locator("#errorY").selectOption({label: "along x [mm]"});
 await page.locator("#overX").selectOption({label: "the angle of elbow_joint [°]"});
 await happens(page.getByRole("img", {name: "error along x [mm] over the angle of elbow_joint [°]"}).waitFor(), "errors are drawn over any joint's angle");
@@ -35,6 +34,15 @@ for (const [view, heading] of [["Learn", "Candidates"], ["Map", "Readings"], ["R
   check(!/\bpx\b/.test(await words()), "and speaks of no pixels");
 }
 check(/held.out|noise floor/.test(await page.locator("#model").innerText()) && / mm/.test(await page.locator("#model").innerText()), "the ladder is in millimetres");
+await tab(page, "Next poses").click();
+await page.getByLabel("How many").selectOption("2");
+await page.getByRole("button", {name: "Suggest poses"}).click();
+const posed = page.locator("figure figcaption", {hasText: ", measures "});
+await happens(posed.nth(1).waitFor(), "poses are suggested for an arm");
+check(await posed.count() === 2 && await page.locator("figure tbody tr", {hasText: "elbow_joint"}).count() === 2, "with the angles of its joints");
+check(/Leave everything where it stands, record the poses as a new set/.test(await words()), "and it is said how to take them");
+check(await page.getByRole("button", {name: /^Play on/}).count() === 0, "no robot plays them from here");
+await portrait(page, axe, pictures, "next-arm");
 await tab(page, "Files").click();
 await page.locator("#compare").fill(tracked);
 await page.getByRole("button", {name: "Compare", exact: true}).last().click();

@@ -3,6 +3,7 @@
 #include "io/Files.hpp"
 #include "io/InputError.hpp"
 #include "print/PdfDocument.hpp"
+#include "start/DroppedKinds.hpp"
 
 #include <catch2/catch.hpp>
 #include <filesystem>
@@ -43,6 +44,12 @@ TEST_CASE("an upload is opened after its last byte, and is no recent file") {
   REQUIRE(desk.opened.size() == 1);
   CHECK(readFile(desk.opened[0].at(0) + "/captures.json") == "abcd");
   CHECK(Json::parse(desk.page.message())["recent"].empty());
+}
+
+TEST_CASE("the page is told what may be dropped") {
+  // Proves that the message has it; what it says is DroppedKinds'.
+  OpeningDesk desk;
+  CHECK(Json::parse(desk.page.message())["drop"] == droppedFilesState());
 }
 
 TEST_CASE("files that cannot be opened leave those of the open set where they are") {

@@ -16,6 +16,8 @@
 #include "poses/PoseFile.hpp"
 #include "report/ReadingsData.hpp"
 #include "report/ReportPage.hpp"
+#include "robot/LegKinematics.hpp"
+#include "scenes/SceneNextPoses.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -97,7 +99,7 @@ void AnalysisSession::tellSet(const ModelRevision& rung) {
                 {"poses", measurements_->poses.size()},
                 {"corners", measurements_->cornerCount},
                 {"readings", measurements_->witnessCount},
-                {"isNao", isNao()},
+                {"isNao", hasPlannableLegs(opened_.robot)},
                 {"joints", std::move(joints)},
                 {"own", Json::parse(rung.definitions)},
                 {"effects", effectsJson(effects(rung))}});
@@ -251,19 +253,16 @@ Json AnalysisSession::checkEffect(const Json& effect) const {
   }
 }
 
-bool AnalysisSession::isNao() const {
-  return opened_.sets.front().urdf.empty();
-}
-
 void AnalysisSession::proposePoses(std::size_t count) {
-  if (!isNao()) {
-    throw InputError{"poses are planned for NAOs only"};
-  }
   NextPosesOptions wanted;
   wanted.count = count;
-  next_ = proposeNextPoses(*mended_.measurements, diagnosis(), options(session_.current()), wanted);
+  next_ = proposeSceneNextPoses(*mended_.measurements, diagnosis(), options(session_.current()), wanted);
   Json told = nextPosesJson(*next_, opened_.robot);
+  for (std::size_t i = 0; i < next_->poses.size(); ++i) {
+    told["poses"][i]["angles"] = anglesPanelJson(next_->poses[i].pose.angles, opened_.robot);
+  }
   told["whyNone"] = next_->whyNone;
+  told["howToTake"] = howToTake(*next_);
   tell_("next", told);
 }
 

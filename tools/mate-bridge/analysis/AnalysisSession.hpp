@@ -65,7 +65,6 @@ private:
   void enter(Session session);
   DiagnosisOptions options(const ModelRevision& rung) const;
   const Diagnosis& diagnosis();
-  bool isNao() const;
 
   const Dataset opened_;
   const std::shared_ptr<const Measurements> measurements_; // as given

@@ -190,6 +190,19 @@ Json diagnosisPanelJson(const Diagnosis& diagnosis) {
   return diagnosisData(JsonCursor{document, "the diagnosis"});
 }
 
+Json anglesPanelJson(const Eigen::VectorXd& angles, const Robot& robot) {
+  Json list = Json::array();
+  for (std::size_t i = 0; i < robot.joints.size(); ++i) {
+    const Joint& joint = robot.joints[i];
+    if (joint.motor == i) { // others follow it
+      const auto [unit, scale] = displayUnit(joint.isPrismatic ? "m" : "rad");
+      list.push_back(
+          {{"joint", joint.name}, {"value", roundToDecimals(scale * angles[eigenIndex(i)], 3)}, {"unit", unit}});
+    }
+  }
+  return list;
+}
+
 Json revisionPanelJson(const ModelRevision& rung, const ErrorUnit& errors) {
   Json json{{"with", rung.with}, {"without", rung.without}, {"step", rung.step}, {"rms", errors.perPx * rung.rmsPx}};
   json["from"] = rung.from ? Json(*rung.from) : Json(nullptr);

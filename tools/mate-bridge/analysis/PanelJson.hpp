@@ -18,6 +18,9 @@ nlohmann::json effectsJson(const std::vector<Effect>& effects);
 /// A diagnosis in the format of the report.
 nlohmann::json diagnosisPanelJson(const Diagnosis& diagnosis);
 
+/// The angles of a robot's motors: [{"joint", "value", "unit"}], in degrees, of slides in millimetres.
+nlohmann::json anglesPanelJson(const Eigen::VectorXd& angles, const Robot& robot);
+
 /// A model revision for the panel's history, with errors in the unit of the captures' errors.
 nlohmann::json revisionPanelJson(const ModelRevision& rung, const ErrorUnit& errors);
 

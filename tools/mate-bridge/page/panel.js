@@ -29,8 +29,7 @@ import {endImport, refreshImport} from "./start/import.js";
 import {refreshTour, startTour} from "./start/tour.js";
 
 
-// `kinds`: messages after which a view is redrawn; `worked`: called when the bridge starts or ends a task; `has`: whether
-// there is anything to show of the open captures.
+// `kinds`: messages after which a view is redrawn; `worked`: called when the bridge starts or ends a task.
 const views = [
   {id: "home", name: "Home", show: showHome, worked: showHome, kinds: ["start", "robot", "robotGone"]},
   {id: "compare", name: "Compare", show: showCompare, kinds: ["fit"], analysis: true},
@@ -38,7 +37,7 @@ const views = [
   {id: "map", name: "Map", show: parent => showMap(parent, go), kinds: ["fit", "questions"], analysis: true},
   {id: "own", name: "Custom effect", show: showUserEffect, kinds: ["set"], analysis: true},
   {id: "result", name: "Result", show: showResult, kinds: ["fit", "keys", "robot"], analysis: true},
-  {id: "next", name: "Next poses", show: showNext, kinds: ["fit", "next", "work", "keys", "robot"], analysis: true, has: () => !state.set || state.set.isNao},
+  {id: "next", name: "Next poses", show: showNext, kinds: ["fit", "next", "work", "keys", "robot"], analysis: true},
   {id: "files", name: "Files", show: showFiles, worked: filesWorked, kinds: ["set", "compared", "missing"]},
   {id: "match", name: "Calibrate", show: showCalibrate, enter: requestHistory, leave: leaveCalibrate, kinds: []},
   {id: "live", name: "Live", show: showLive, leave: leaveLive, kinds: []},
@@ -59,13 +58,11 @@ function go(id) {
 
 function open() {
   const first = state.analysis ? "compare" : hasRobots ? "match" : "home";
-  const wanted = views.find(({id, has}) => id === location.hash.slice(1) && (!has || has())) || views.find(({id}) => id === first);
+  const wanted = views.find(({id}) => id === location.hash.slice(1)) || views.find(({id}) => id === first);
   if (current !== wanted && current && current.leave) current.leave();
   const arrived = current !== wanted;
   current = wanted;
   for (const tab of at("tabs").querySelectorAll("button")) {
-    const view = views.find(({id}) => id === tab.dataset.view);
-    tab.hidden = Boolean(view?.has && !view.has());
     if (tab.dataset.view === current.id) tab.setAttribute("aria-current", "page");
     else tab.removeAttribute("aria-current");
   }
@@ -158,7 +155,6 @@ for (const kind of analysisKinds) {
     if (kind === "fit") state.earlier = state.questions || state.earlier;
     state[kind] = message;
     if (kind === "fit") forget(["unfitted", "questions", "next", "compared"]); // these refer to the previous fit
-    if (kind === "set" && current) open(); // tabs may come and go
     redraw(kind);
   });
 }

@@ -1,11 +1,10 @@
 #include "start/DroppedFiles.hpp"
 
 #include "io/InputError.hpp"
+#include "start/DroppedKinds.hpp"
 #include "start/RecentFiles.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -31,24 +30,11 @@ void requireName(const std::string& name) {
   }
 }
 
-/// The ending of a file's name in lower case.
-std::string endingOf(const std::string& name) {
-  std::string ending = std::filesystem::path{name}.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  return ending;
-}
-
 /// Throws InputError unless the file is a document, a table, a robot's description, a lens or a picture.
 void requireKind(const std::string& name) {
-  constexpr std::array<std::string_view, 16> kinds{".json", ".urdf",        ".xacro", ".csv", ".yaml", ".yml",
-                                                   ".xml",  ".cameramodel", ".png",   ".jpg", ".jpeg", ".pgm",
-                                                   ".ppm",  ".bmp",         ".tif",   ".tiff"};
-  if (std::find(kinds.begin(), kinds.end(), endingOf(name)) == kinds.end()) {
-    throw InputError{
-        fmt::format("dropped files: expected .json files, a .urdf and pictures, or a table (.csv) with its "
-                    "robot's .urdf and a lens (.yaml, .xml, .cameramodel), found \"{}\"; leave it out",
-                    name)};
+  if (!droppedKindOf(name)) {
+    throw InputError{fmt::format("dropped files: expected names that end in {}, found \"{}\"; leave it out",
+                                 droppedEndings(), name)};
   }
 }
 
@@ -58,7 +44,7 @@ bool isCaptureSet(const std::string& name) {
 
 bool isDocument(const std::filesystem::path& file) {
   const std::string name = file.filename().string();
-  return name.ends_with(".json") && !name.ends_with(".truth.json") && !isCaptureSet(name);
+  return name.ends_with(".json") && !isDroppedTruth(name) && !isCaptureSet(name);
 }
 
 } // namespace
@@ -152,8 +138,8 @@ bool DroppedFiles::holdsSet() const {
 
 bool DroppedFiles::holdsImport() const {
   return !holdsSet() && std::any_of(files_.begin(), files_.end(), [](const File& file) {
-    const std::string ending = endingOf(file.name);
-    return ending == ".csv" || ending == ".urdf" || ending == ".xacro";
+    const auto kind = droppedKindOf(file.name);
+    return kind == DroppedKind::table || kind == DroppedKind::robot;
   });
 }
 
@@ -199,8 +185,7 @@ std::vector<std::string> DroppedFiles::paths() const {
   }
   folders.insert(folders.end(), documents.begin(), documents.end());
   if (folders.empty()) {
-    throw InputError{"dropped files: expected a folder with captures.json, a recording, a result, a table (.csv) or a "
-                     "URDF, found none"};
+    throw InputError{fmt::format("dropped files: expected {}, found none", expectedDrop)};
   }
   return folders;
 }

@@ -7,6 +7,7 @@
 #include "recordings/table/ColumnMeaning.hpp"
 #include "recordings/table/TableImport.hpp"
 #include "robot/Urdf.hpp"
+#include "start/DroppedKinds.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -26,25 +27,6 @@ constexpr std::size_t mostExamples = 3, longestExample = 40;   // cells of a col
 constexpr std::size_t mostPictureCells = 50;                   // that decide in which folder the pictures are
 
 const std::vector<std::string> fileKeys{"table", "robot", "columns", "cameraModel", "boards", "pictures"};
-
-std::string kindOfName(const std::string& name) {
-  static const std::map<std::string, std::string> kinds{{".csv", "table"},
-                                                        {".urdf", "robot"},
-                                                        {".xacro", "robot"},
-                                                        {".yaml", "cameraModel"},
-                                                        {".yml", "cameraModel"},
-                                                        {".xml", "cameraModel"},
-                                                        {".cameramodel", "cameraModel"},
-                                                        {".json", "document"},
-                                                        {".png", "picture"},
-                                                        {".jpg", "picture"},
-                                                        {".jpeg", "picture"}};
-  std::string ending = std::filesystem::path{name}.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  const auto found = kinds.find(ending);
-  return found == kinds.end() ? "" : found->second;
-}
 
 /// "boards" of a boards file, "columns" of a column map; empty for other documents.
 std::string kindOfDocument(const std::filesystem::path& file) {
@@ -114,19 +96,21 @@ void DroppedTable::sortFiles() {
   ignored_.clear();
   std::set<std::string> folders;
   for (const std::string& name : files_->names()) {
-    std::string kind = kindOfName(name);
-    if (kind == "document") {
-      kind = kindOfDocument(files_->folder() / name);
-    }
-    if (kind == "picture") {
+    const auto kind = droppedKindOf(name);
+    const std::string key = kind == DroppedKind::document ? kindOfDocument(files_->folder() / name)
+                            : kind == DroppedKind::table  ? "table"
+                            : kind == DroppedKind::robot  ? "robot"
+                            : kind == DroppedKind::lens   ? "cameraModel"
+                                                          : "";
+    if (kind == DroppedKind::picture) {
       for (auto folder = std::filesystem::path{name}.parent_path(); !folder.empty(); folder = folder.parent_path()) {
         folders.insert(folder.string());
       }
       folders.insert(".");
-    } else if (kind.empty()) {
+    } else if (key.empty()) {
       ignored_.push_back(name);
     } else {
-      sources_[kind].found.push_back(name);
+      sources_[key].found.push_back(name);
     }
   }
   sources_["pictures"].found.assign(folders.begin(), folders.end());

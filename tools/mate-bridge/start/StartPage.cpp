@@ -4,6 +4,7 @@
 #include "io/InputError.hpp"
 #include "print/Paper.hpp"
 #include "protocol/BoundedJson.hpp"
+#include "start/DroppedKinds.hpp"
 #include "start/PrintableBoards.hpp"
 
 #include <fmt/format.h>
@@ -146,7 +147,8 @@ std::string StartPage::message() const {
                    {"robots", recent_.robots()},
                    {"search", search_.state()},
                    {"sample", sample_.state()},
-                   {"robot", robot_.state()}});
+                   {"robot", robot_.state()},
+                   {"drop", droppedFilesState()}});
 }
 
 } // namespace naocal

@@ -63,7 +63,7 @@ public:
   static std::optional<std::string> boards(std::string_view name);
 
   /// {"kind": "start", "program": "naocal 0.1.0", "recent": [{"paths", "name", "folder", "what", "opened" [s]}],
-  /// "problem", "robots": listed addresses, "search", "sample", "robot": states}
+  /// "problem", "robots": listed addresses, "search", "sample", "robot": states, "drop": what may be dropped}
   std::string message() const;
 
 private:

@@ -73,13 +73,7 @@ NextPoses asked(const DiagnoseCommand& command, const Measurements& measurements
   NextPosesOptions options = command.next;
   options.count = command.json.empty() && command.poses.empty() ? 0 : options.count;
   options.seed = command.options.candidateTests.seed;
-  try {
-    return proposeSceneNextPoses(measurements, diagnosis, command.options, options);
-  } catch (const InputError& error) { // the diagnosis stands all the same
-    NextPoses none;
-    none.whyNone = error.what();
-    return none;
-  }
+  return proposeSceneNextPoses(measurements, diagnosis, command.options, options);
 }
 
 /// The unexplained curve, if an expression fits it; otherwise nullptr.

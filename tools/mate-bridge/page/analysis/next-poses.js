@@ -1,5 +1,6 @@
 // Next poses view: suggested poses are drawn, saved or played on a robot.
-import {button, choice, confirmation, element, empty, renew} from "naocal/lib/dom.js";
+import {button, choice, confirmation, csvTable, element, empty, renew} from "naocal/lib/dom.js";
+import {sized} from "naocal/lib/format.js";
 import {on, send} from "../core/connection.js";
 import {act, say, state, valueOf} from "../core/state.js";
 import {begin, runner} from "../robots/controls.js";
@@ -22,15 +23,22 @@ export function showNext(parent) {
   const {next} = state, again = () => showNext(parent);
   const wanted = choice("How many", [1, 2, 4, 6, 8].map(value => ({value: String(value), text: String(value)})), String(count), value => { count = Number(value); }, "howMany");
   const suggest = () => button("Suggest poses", () => act({do: "propose", count}), {class: "main", disabled: Boolean(state.work)});
-  const head = [element("h1", {}, "What to measure next"), element("p", {class: "soft"}, "Stable poses in sight of the boards, chosen to answer best what this model leaves open."),
+  const head = [element("h1", {}, "What to measure next"), element("p", {class: "soft"}, (state.set.isNao ? "Stable poses in sight of the boards" : "Poses in which the robot is measured as before") + ", chosen to answer best what this model leaves open."),
     element("p", {class: "controls"}, wanted, next ? suggest() : null)];
   if (!next) renew(parent, ...head, empty("No poses suggested yet", "They are compared by what they would tell, which takes some seconds.", element("span", {class: "controls next-steps"}, suggest())));
   else if (!next.poses.length) renew(parent, ...head, empty("There are none to suggest", next.whyNone || "These captures leave no question open."));
-  else renew(parent, ...head, element("p", {}, "Why these: taking pictures in them ", element("b", {}, next.why), next.growth > 1 ? ". The evidence for or against becomes " + next.growth.toFixed(1) + " times stronger." : "."), ...playing(next, again),
+  else renew(parent, ...head, element("p", {}, "Why these: measuring in them ", element("b", {}, next.why), next.growth > 1 ? ". The evidence for or against becomes " + next.growth.toFixed(1) + " times stronger." : "."), ...playing(next, again),
     element("div", {class: "grid"}, ...next.poses.map(pose => poseFigure(pose, next))));
 }
 
-function poseFigure(pose, next) {
+const poseFigure = (pose, next) => state.set.isNao ? drawnPose(pose, next) : listedPose(pose);
+
+/** A pose of a robot that the panel cannot draw. */
+const listedPose = ({id, supportFoot, observes, angles}) => element("figure", {}, element("figcaption", {}, element("b", {}, id), supportFoot === "none" ? "" : " on the " + supportFoot + " foot", ", measures " + observes.join(", ")),
+  csvTable(element("table", {class: "narrow"}, element("thead", {}, element("tr", {}, element("th", {scope: "col"}, "joint"), element("th", {scope: "col", class: "number"}, "angle"))),
+    element("tbody", {}, ...angles.map(({joint, value, unit}) => element("tr", {}, element("td", {}, element("code", {}, joint)), element("td", {class: "number"}, sized(value, unit)))))), "pose-" + id));
+
+function drawnPose(pose, next) {
   if (shown !== next) { stands.clear(); shown = next; }
   let known = [...stands.values()].find(one => one.pose === pose);
   if (!known) {
@@ -58,6 +66,7 @@ function playing(next, again) {
   if (entry && entry.mounts.some(({key}) => key === runner)) needKeys(robot, runner);
   const can = entry && entry.connected && (entry.keys.get(runner) || []).some(({key}) => key === "poses"); // optional key of the runner
   const save = button("Save poses.json", () => requestFile("poses.json"));
+  if (!state.set.isNao) return [element("p", {class: "controls"}, save, element("span", {class: "soft"}, next.howToTake + "."))];
   if (!can) return [element("p", {class: "controls"}, save, element("span", {class: "soft"}, "Connect a robot in Calibrate to play these poses, or copy the file to it."))];
   if (confirming !== robot) return [element("p", {class: "controls"}, playOn(robot, "Play on " + nameOf(robot) + " …", () => { confirming = robot; again(); }), save)];
   return [confirmation(

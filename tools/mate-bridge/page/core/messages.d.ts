@@ -22,7 +22,7 @@ export interface SetMessage {
   corners: number;
   /** Of trackers, and contacts. */
   readings: number;
-  /** Else a robot with a URDF, for which no poses are planned. */
+  /** Else next poses are listed as angles: the panel neither draws nor plays them. */
   isNao: boolean;
   joints: string[];
   own: UserEffect[];
@@ -76,13 +76,16 @@ export interface FitMessage {
 
 /** "next": suggested poses. */
 export interface NextMessage {
-  poses: {id: string, joints: Record<string, number>, supportFoot: string, observes: string[], secondsToReach?: number}[];
+  /** `angles`: of motors, for display. */
+  poses: {id: string, joints: Record<string, number>, supportFoot: string, observes: string[], secondsToReach?: number, angles: {joint: string, value: number, unit: string}[]}[];
   why: string;
   whyNone: string;
   /** Factor by which the evidence grows with them. */
   growth: number;
-  /** Joint error that they are safe for [rad]. */
-  assumptions: {jointError: number};
+  /** What a person does to measure in them. */
+  howToTake: string;
+  /** Of a NAO: joint error that they are safe for [rad]. */
+  assumptions: {jointError?: number};
 }
 
 interface Distances {
@@ -146,6 +149,8 @@ export interface StartMessage {
   };
   sample: {state: "none" | "making" | "made" | "failed", sentence: string};
   robot: {state: "off" | "running" | "ending" | "failed", address: string, sentence: string};
+  /** What may be dropped: endings of names (all, and those of a capture set's files), limits, and what is expected in words. */
+  drop: {endings: string[], endingsOfSet: string[], endingOfTruth: string, mostFiles: number, mostBytes: number, expected: string};
 }
 
 /** A file to import: the name of a dropped one, or a path on this computer; and the dropped ones to choose from. */

@@ -1,15 +1,11 @@
 // Files that are dropped on the page or chosen: they are sent to the bridge, which opens them.
 import {at, button, element} from "naocal/lib/dom.js";
 import {on, sendBytes} from "../core/connection.js";
-import {act, notice} from "../core/state.js";
+import {act, notice, state} from "../core/state.js";
 
 /** @typedef {{name: string, file: File}} Dropped */
 
 const part = 512 << 10; // [bytes] of a message; the bridge takes 1 MiB
-const mostFiles = 10000, mostBytes = 1 << 30; // the bridge's limits
-const taken = /\.(json|urdf|png|jpe?g|pgm|ppm|bmp|tiff?)$/i; // others are not needed
-const imported = /\.(csv|xacro|ya?ml|xml|cameramodel)$/i; // of a table that is imported
-const chosenKinds = ".json,.urdf,.csv,.xacro,.yaml,.yml,.xml,.cameramodel,image/*";
 let number = 0;
 /** @type {null | {number: number, done: number, all: number, told: (() => void) | null, failed: boolean}} */
 let upload = null;
@@ -45,6 +41,9 @@ async function answered(sent) {
 /** The last part of a path. @param {string} path */
 const lastOf = path => path.split("/").filter(Boolean).at(-1) ?? "";
 
+/** The ending of a file's name, ".json"; "" without one. @param {string} path */
+const endingOf = path => /[^.].*?(\.[^.]*)$/.exec(lastOf(path))?.[1].toLowerCase() ?? "";
+
 /** What a file holds; null if it is no JSON: the bridge says what is wrong with it. @param {File} file */
 const jsonOf = async file => { try { return JSON.parse(await file.text()); } catch { return null; } };
 
@@ -64,10 +63,13 @@ async function placed(files) {
 /** Sends files to the bridge. @param {Dropped[]} given */
 export async function openFiles(given) {
   if (upload) return notice("Files are being read: wait until they are open.");
-  const isSet = given.some(({name}) => lastOf(name) === "captures.json"), isTaken = name => taken.test(name) || (!isSet && imported.test(name));
-  const files = await placed(given.filter(({name}) => isTaken(name) && !/\.truth\.json$/.test(name))), all = files.reduce((sum, {file}) => sum + file.size, 0);
-  if (!files.length) return notice("Nothing was opened: expected a folder with captures.json, a recording, a result with its captures, or a table (.csv) with its robot's URDF.");
-  if (files.length > mostFiles || all > mostBytes) {
+  const limits = state.start?.drop;
+  if (!limits) return notice("The bridge is not connected: nothing was opened. The panel keeps trying.", "bridge");
+  const endings = given.some(({name}) => lastOf(name) === "captures.json") ? limits.endingsOfSet : limits.endings;
+  const isTaken = name => endings.includes(endingOf(name)) && !name.endsWith(limits.endingOfTruth);
+  const files = await placed(given.filter(({name}) => isTaken(name))), all = files.reduce((sum, {file}) => sum + file.size, 0);
+  if (!files.length) return notice("Nothing was opened: expected " + limits.expected + ".");
+  if (files.length > limits.mostFiles || all > limits.mostBytes) {
     return notice("Nothing was opened: these are " + files.length + " files of " + Math.round(all / 1e6) + " MB, more than the page sends. Type the path of the folder instead.");
   }
   upload = {number: ++number, done: 0, all, told: null, failed: false};
@@ -113,7 +115,7 @@ async function filesOf(entry, above) {
     const some = await new Promise((resolve, reject) => reader.readEntries(resolve, reject));
     if (!some.length) return files;
     for (const one of some) files.push(...await filesOf(one, name + "/"));
-    if (files.length > mostFiles) return files;
+    if (state.start && files.length > state.start.drop.mostFiles) return files;
   }
 }
 
@@ -134,7 +136,7 @@ const openChosen = input => openFiles([...(input.files ?? [])].map(file => ({nam
 export const fileChoosers = isBusy => [true, false].flatMap(isFolder => {
   const words = isFolder ? "Choose a folder …" : "Choose files …";
   const input = element("input", {type: "file", multiple: true, hidden: true, "data-chooses": isFolder ? "folder" : "files", "aria-label": words, onchange: () => openChosen(input),
-    ...(isFolder ? {webkitdirectory: true} : {accept: chosenKinds})});
+    ...(isFolder ? {webkitdirectory: true} : {accept: state.start?.drop.endings.join(",") ?? null})});
   return [button(words, () => input.click(), {disabled: isBusy}), input];
 });
 

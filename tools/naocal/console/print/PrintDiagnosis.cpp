@@ -178,10 +178,9 @@ void printNextPoses(const NextPoses& next, GivenOptions asked, const std::string
   }
   asked.sets.emplace_back("FURTHER-SET");
   asked.samePlace = true;
-  const char* const leave = next.around.empty() ? "everything where it stands" : "the boards where they lie";
-  printText("\n{} holds {} poses. With them the evidence that {} becomes {:.1f} times stronger. Leave {}, record the "
-            "poses as a new set with \"stance\": {}, then:\n  naocal diagnose {}\n",
-            file, next.poses.size(), next.why, next.growth, leave, next.firstStance, asked.commandLine());
+  printText("\n{} holds {} poses. With them the evidence that {} becomes {:.1f} times stronger. {}, then:\n"
+            "  naocal diagnose {}\n",
+            file, next.poses.size(), next.why, next.growth, howToTake(next), asked.commandLine());
 }
 
 } // namespace naocal

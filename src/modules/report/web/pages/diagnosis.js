@@ -38,7 +38,7 @@ at("candidateViews").append(...sections("candidates"));
 at("untested").append(untested(data.candidates));
 at("overNext").hidden = !data.next;
 if (data.next) at("next").textContent = data.next.poses
-  ? data.next.poses + " poses are proposed in the diagnosis file: taking pictures in them " + data.next.why + "."
-  : "naocal diagnose SET --next poses.json proposes poses: taking pictures in them " + data.next.why + ".";
+  ? data.next.poses + " poses are proposed in the diagnosis file: measuring in them " + data.next.why + "."
+  : "naocal diagnose SET --next poses.json proposes poses: measuring in them " + data.next.why + ".";
 at("misfitViews").append(...sections("misfit"));
 showContents();
