@@ -1,6 +1,6 @@
 #include "CommandRunner.hpp"
 
-#include "dialects/DialectNames.hpp"
+#include "dialects/heads/DialectNames.hpp"
 #include "io/InputError.hpp"
 #include "protocol/BoundedJson.hpp"
 

@@ -251,7 +251,7 @@ views.forEach((view, i) => {
   at("tabs").append(tab);
 });
 offerViews([{name: "Model", show: showModel, shows: () => Boolean(state.fit && state.ladder)},
-  ...views.filter(({analysis}) => analysis).map(({name, show, has}) => ({name, show, shows: () => Boolean(state.analysis && state.fit && state.set && state.ladder) && (!has || has())})),
+  ...views.filter(({analysis}) => analysis).map(({name, show}) => ({name, show, shows: () => Boolean(state.analysis && state.fit && state.set && state.ladder)})),
   {name: "Calibrate", show: calibrationSummary, shows: hasCalibration}, {name: "History", show: showHistory, shows: hasHistory}]);
 addEventListener("hashchange", open);
 const linked = connected => showLink(connected, () => {

@@ -4,8 +4,8 @@
 #include "console/print/PrintText.hpp"
 
 #include "command-line/OptionChecks.hpp"
-#include "dialects/DialectNames.hpp"
 #include "dialects/Dialects.hpp"
+#include "dialects/heads/DialectNames.hpp"
 #include "dialects/heads/HeadDialects.hpp"
 #include "io/Files.hpp"
 #include "io/InputError.hpp"

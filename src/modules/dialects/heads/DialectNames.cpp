@@ -1,4 +1,4 @@
-#include "dialects/DialectNames.hpp"
+#include "dialects/heads/DialectNames.hpp"
 
 #include "dialects/Dialects.hpp"
 #include "dialects/UrdfCorrection.hpp"
