@@ -22,12 +22,22 @@ double residentMemory() {
   return 1e-6 * resident * double(::sysconf(_SC_PAGESIZE));
 }
 
-/// Processor time of this process [s].
-double processTime() {
+/// Processor time of this process or thread [s].
+double processorTime(int who) {
   rusage usage{};
-  ::getrusage(RUSAGE_SELF, &usage);
+  ::getrusage(who, &usage);
   const auto seconds = [](const timeval& time) { return double(time.tv_sec) + 1e-6 * double(time.tv_usec); };
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+/// Processor time of the same computation each time [s]: other work on the computer slows it as it slows a calibration.
+double referenceTime() {
+  const double before = processorTime(RUSAGE_THREAD);
+  volatile double sum = 0;
+  for (int i = 0; i < 30'000'000; ++i) {
+    sum = sum + std::sqrt(double(i));
+  }
+  return processorTime(RUSAGE_THREAD) - before;
 }
 
 /// A line's slope per 1000 steps with the half-width of its 95 % interval, by least squares; mean.
@@ -63,19 +73,20 @@ TEST_CASE("whether a robot that calibrates again and again grows or slows down",
   const char* seconds = std::getenv("SOAK_SECONDS");
   const TimePoint end = Clock::now() + std::chrono::seconds{seconds != nullptr ? std::atoi(seconds) : 86400};
   SimulatedProcess simulated{SimulatedProcess::plan(1, radians(1))};
-  std::vector<double> memory, processor, wall;
+  std::vector<double> memory, processor, ratio, wall;
   int count = 0, finished = 0;
   for (int i = 0; i < most && Clock::now() < end; ++i) {
     ++count;
-    const double processorBefore = processTime();
+    const double processorBefore = processorTime(RUSAGE_SELF);
     const TimePoint begin = Clock::now();
     const auto state = simulated.calibrated("head");
     finished += state["phase"] == "finished" || state["phase"] == "failed" ? 1 : 0;
     std::filesystem::remove_all(simulated.folder.path() / "recordings");
     ::malloc_trim(0); // freed memory that the allocator keeps is no leak
     memory.push_back(residentMemory());
-    processor.push_back(processTime() - processorBefore);
+    processor.push_back(processorTime(RUSAGE_SELF) - processorBefore);
     wall.push_back(toSeconds(Clock::now() - begin));
+    ratio.push_back(processor.back() / referenceTime());
     simulated.calibrated("undo");
     if (i % 20 == 0) {
       const auto descriptors = std::distance(std::filesystem::directory_iterator{"/proc/self/fd"}, {});
@@ -84,11 +95,13 @@ TEST_CASE("whether a robot that calibrates again and again grows or slows down",
       std::fflush(stdout);
     }
   }
-  for (std::vector<double>* values : {&memory, &processor, &wall}) {
+  for (std::vector<double>* values : {&memory, &processor, &ratio, &wall}) {
     values->erase(values->begin(), values->begin() + std::ptrdiff_t(values->size() / 5));
   }
-  fmt::print("{} of {} ended in words\nmemory: {}\nprocessor time of a calibration: {}\nwall time: {}\n", finished,
-             count, slopeOf(memory, "MB"), slopeOf(processor, "s"), slopeOf(wall, "s"));
+  fmt::print("{} of {} ended in words\nmemory: {}\nprocessor time of a calibration: {}\nthe same over that of a fixed "
+             "computation: {}\nwall time: {}\n",
+             finished, count, slopeOf(memory, "MB"), slopeOf(processor, "s"), slopeOf(ratio, "times"),
+             slopeOf(wall, "s"));
 }
 
 } // namespace naocal
