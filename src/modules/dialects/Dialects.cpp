@@ -25,8 +25,7 @@ const std::array knownDialects{
     Dialect{"bhuman-joints", "B-Human before: joints = {...} with limits", true, true, writeOlderBHuman, parseBHuman},
     Dialect{"naodevils", "Nao Devils: offset with limits by joint", true, true, writeNaoDevils, parseNaoDevils},
     Dialect{"ros", "ROS camera_info: lenses", false, false, writeRosCameraInfo, parseRosCameraInfo},
-    Dialect{"kalibr", "kalibr: lenses, and the cameras' placement relative to each other", false, false, writeKalibr,
-            parseKalibr}};
+    Dialect{"kalibr", "kalibr: lenses, and the cameras' relative placement", false, false, writeKalibr, parseKalibr}};
 
 constexpr double lost = 1e-6; // [rad], [m], [px] that count as lost; above what printing rounds away
 

@@ -209,10 +209,10 @@ void apply(const ApplyCommand& command) {
 void addApply(CLI::App& app) {
   auto command = std::make_shared<ApplyCommand>();
   CLI::App* applier = app.get_subcommand("apply");
-  applier->footer(
-      "Example: naocal apply result.json --configuration home/configuration\n"
-      "Shows what changes, then writes both files or none. Joints that are less than 50 % learned keep their\n"
-      "values. Restart naocal-robot, or copy the files to the robot, for it to take effect.");
+  applier->footer("Example: naocal apply result.json --configuration home/configuration\n"
+                  "Shows what changes, then writes both files or none.\n"
+                  "Joints that are less than 50 % learned keep their values.\n"
+                  "To take effect: restart naocal-robot, or copy the files to the robot.");
   applier->add_option("RESULT", command->result, "a result of 'naocal solve', or a file of 'naocal import'")
       ->type_name("FILE")
       ->required();
