@@ -3,7 +3,6 @@
 #include "analysis/AnalysisSession.hpp"
 #include "data/CaptureSetFile.hpp"
 #include "io/Files.hpp"
-#include "io/InputError.hpp"
 #include "math/Angles.hpp"
 #include "robot/RobotOfSet.hpp"
 #include "scenes/SceneNextPoses.hpp"

@@ -22,30 +22,26 @@ struct Outbox::Samples {
   std::vector<Item> items;
 };
 
-namespace {
-
-/// Samples on their way back to the cycle, from any thread. Beyond 64 of them the returning thread frees them.
-template <class Samples> class Returned {
-public:
-  ~Returned() { free(); }
-  void push(Samples* samples) {
-    if (!queue_.push(samples)) {
-      delete samples;
-    }
-  }
-  void free() {
-    queue_.consume_all([](Samples* samples) { delete samples; });
-  }
-
-private:
-  boost::lockfree::queue<Samples*, boost::lockfree::capacity<64>> queue_;
-};
-
-} // namespace
-
 struct Outbox::Queue {
+  /// Samples on their way back to the cycle, from any thread. Beyond 64 of them the returning thread frees them.
+  class Returned {
+  public:
+    ~Returned() { free(); }
+    void push(Samples* samples) {
+      if (!queue_.push(samples)) {
+        delete samples;
+      }
+    }
+    void free() {
+      queue_.consume_all([](Samples* samples) { delete samples; });
+    }
+
+  private:
+    boost::lockfree::queue<Samples*, boost::lockfree::capacity<64>> queue_;
+  };
+
   boost::lockfree::spsc_queue<Samples*, boost::lockfree::capacity<8>> reports;
-  std::shared_ptr<Returned<Samples>> returned = std::make_shared<Returned<Samples>>();
+  std::shared_ptr<Returned> returned = std::make_shared<Returned>();
   int descriptor = ::eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC);
 };
 

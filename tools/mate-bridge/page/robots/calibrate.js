@@ -8,7 +8,7 @@ import {cameraAt, cameraKeys} from "./camera.js";
 import {capturesKey, capturesOf, thumbnails} from "./captures.js";
 import {afterwards, ended, mountsMount, offsetsMount, runner, steer} from "./controls.js";
 import {floorFigure} from "./floor.js";
-import {healthKey, playerKey, refreshHealth, running, stateKey} from "./health.js";
+import {healthKey, over, playerKey, refreshHealth, running, stateKey} from "./health.js";
 import {cameraMounts, offsets, outcome, outcomeKey} from "./outcome.js";
 import {displayName, entryOf, nameOf, needKeys, refreshBar, robotBar, robots, selectedRobot, whyNothing} from "./robots.js";
 import {standingFigure} from "./stance.js";
@@ -68,14 +68,14 @@ function content() {
 }
 
 // Parts of the left column: after a run its outcome comes first, otherwise what to do.
-const inOrder = over => [...(over ? ["progress", "outcome", "after", "offsets", "steer", "poses"] : ["steer", "progress", "poses", "outcome", "after", "offsets"])].map(name => parts[name]);
+const inOrder = hasEnded => [...(hasEnded ? ["progress", "outcome", "after", "offsets", "steer", "poses"] : ["steer", "progress", "poses", "outcome", "after", "offsets"])].map(name => parts[name]);
 
 function putInOrder(state) {
-  const over = Boolean(state) && ["finished", "failed"].includes(state.phase);
-  if (over === isOver || !parts.left.contains(parts.steer)) return;
-  if (over && isOver !== null) scrollTo(0, 0); // the run has just ended
-  isOver = over;
-  parts.left.append(...inOrder(over));
+  const hasEnded = over(state?.phase);
+  if (hasEnded === isOver || !parts.left.contains(parts.steer)) return;
+  if (hasEnded && isOver !== null) scrollTo(0, 0); // the run has just ended
+  isOver = hasEnded;
+  parts.left.append(...inOrder(hasEnded));
 }
 
 function draw() {

@@ -3,7 +3,7 @@ import {at, button, confirmation, element, question as dialog} from "naocal/lib/
 import {saveSession} from "../core/session-export.js";
 import {act, of, say, valueOf} from "../core/state.js";
 import {newestRun, openRun} from "../history/history.js";
-import {running, stateKey} from "./health.js";
+import {over, running, stateKey} from "./health.js";
 import {displayName, headName, nameOf, robots} from "./robots.js";
 
 export const runner = "Brain.CalibrationRunner";
@@ -86,7 +86,7 @@ const canUndo = ({sentence}) => !/saved was taken back/.test(sentence);
 export function afterwards({robot, entry, state, isRunning, draw, when}) {
   const can = entry.connected && Boolean(state) && !isRunning, undoable = can && canUndo(state);
   const asks = what => () => { confirming = what && {what, robot}; draw(); };
-  const run = isRunning ? undefined : newestRun(headName(robot)), isOver = ["finished", "failed"].includes(state?.phase);
+  const run = isRunning ? undefined : newestRun(headName(robot)), isOver = over(state?.phase);
   when("after", [robot, can, undoable, confirming, run?.id, isOver], () => [
     element("p", {class: "controls"},
       run ? button("Open its captures", () => openRun(run.id), {class: isOver ? "main" : "", title: "opens the captures of this robot's last calibration: where the prediction fails, what is missing, its result"}) : null,

@@ -33,7 +33,9 @@ function fill(part, robot) {
 export const stateKey = "Brain.calibration";
 export const playerKey = "Motion.player";
 export const healthKey = "Motion.health"; // {battery: 0..1, charging, joint: hottest joint, temperature [°C]}
-export const running = phase => !["idle", "finished", "failed"].includes(phase);
+/** Whether a calibration has come to its end. @param {string | undefined} phase */
+export const over = phase => phase === "finished" || phase === "failed";
+export const running = phase => phase !== "idle" && !over(phase);
 
 export function followAll() {
   for (const [robot, {list, connected}] of state.robots) {
