@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
 
 namespace naocal {
 namespace {
@@ -115,6 +116,19 @@ TEST_CASE("four proposed poses tell twins apart better than four random ones, by
   CHECK(next.growth < 1.2 * proposed); // predicted for one picture per pose; repeated readings add a little
   CHECK(next.growth > 0.75 * proposed);
   CHECK(proposed - 1 > 1.5 * (random[2] - 1));
+}
+
+TEST_CASE("proposed poses that hardly strengthen the evidence are told as such") {
+  // Proves that a person hears whether poses are worth taking, on both sides of the boundary.
+  NextPoses next;
+  next.why = "tells elasticity@joint2 from gearPlay@joint2";
+  next.growth = 2.06;
+  CHECK(whatTheyTell(next) ==
+        "With them the evidence that tells elasticity@joint2 from gearPlay@joint2 becomes 2.1 times stronger.");
+  next.growth = worthTaking;
+  CHECK_THAT(whatTheyTell(next), Catch::Matchers::StartsWith("With them"));
+  next.growth = std::nextafter(worthTaking, 0);
+  CHECK_THAT(whatTheyTell(next), Catch::Matchers::StartsWith("They hardly help: with them the evidence that tells"));
 }
 
 TEST_CASE("poses are proposed for captures that tell little or much of the joints, and only where boards lie",

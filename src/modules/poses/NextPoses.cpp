@@ -146,6 +146,15 @@ NextPoses proposeNextPoses(const FittedModel& fitted, const ModelAmbiguity& ques
   return result;
 }
 
+std::string whatTheyTell(const NextPoses& next) {
+  if (next.growth < worthTaking) {
+    return fmt::format("They hardly help: with them the evidence that {} becomes {:.2f} times as strong. More captures "
+                       "of the same kind, or another place of the camera, the boards or the tracker, tell more.",
+                       next.why, next.growth);
+  }
+  return fmt::format("With them the evidence that {} becomes {:.1f} times stronger.", next.why, next.growth);
+}
+
 std::string howToTake(const NextPoses& next) {
   const char* const leave = next.around.empty() ? "everything where it stands" : "the boards where they lie";
   return fmt::format("Leave {}, record the poses as a new set with \"stance\": {}", leave, next.firstStance);

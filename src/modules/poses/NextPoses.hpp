@@ -50,6 +50,13 @@ void selectNextPoses(const ModelAmbiguity& question, const PlannedInformation& i
 NextPoses proposeNextPoses(const FittedModel& fitted, const ModelAmbiguity& question,
                            const NextPosesOptions& options = {});
 
+/// Whether they are worth taking: "With them the evidence that .. becomes 2.1 times stronger." Below `worthTaking` it
+/// says that they hardly help.
+std::string whatTheyTell(const NextPoses& next);
+
+/// Growth of the evidence below which poses hardly help: a prediction of the growth is true to 15 % (tests).
+inline constexpr double worthTaking = 1.15;
+
 /// What a person does with them: "Leave the boards where they lie, record the poses as a new set with ..".
 std::string howToTake(const NextPoses& next);
 

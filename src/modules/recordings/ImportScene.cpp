@@ -29,7 +29,7 @@ std::vector<std::string> linkNames(const Robot& robot) {
 
 ImportScene readImportScene(const SceneSources& sources) {
   ImportScene scene;
-  scene.urdf = readFile(sources.robot);
+  scene.urdf = readUrdf(sources.robot);
   scene.robot = parseUrdf(scene.urdf, sources.robot);
   scene.camera = sources.camera;
   scene.cameraLink = sources.cameraLink;

@@ -262,6 +262,7 @@ void AnalysisSession::proposePoses(std::size_t count) {
     told["poses"][i]["angles"] = anglesPanelJson(next_->poses[i].pose.angles, opened_.robot);
   }
   told["whyNone"] = next_->whyNone;
+  told["whatTheyTell"] = whatTheyTell(*next_);
   told["howToTake"] = howToTake(*next_);
   tell_("next", told);
 }

@@ -187,13 +187,14 @@ void printCompensations(const LoadedCalibration& loaded) {
     return std::max(std::abs(joint.delta), joint.highest - joint.lowest) < noticeable;
   });
   if (!bent.empty()) {
+    const auto shown = [](double angle) { return std::round(1000 * degrees(angle)) / 1000 + 0.0; }; // no "-0.000"
     printText("the model corrects these joints beside their offsets [degrees]:\n"
               "  {:<16} {:>9} {:>14} {:>22} {:>16} {:>10}\n",
               "", "offset o", "delta there", "in the captures", "spread (sigma)", "o - delta");
     for (const JointCompensation& joint : bent) {
       printText("  {:<16} {:>9.3f} {:>14.3f} {:>10.3f} to {:>8.3f} {:>16.3f} {:>10.3f}\n", joint.joint,
-                degrees(joint.offset), degrees(joint.delta), degrees(joint.lowest), degrees(joint.highest),
-                degrees(joint.spread), degrees(joint.constant()));
+                shown(joint.offset), shown(joint.delta), shown(joint.lowest), shown(joint.highest), shown(joint.spread),
+                shown(joint.constant()));
     }
     printText("a constant is right at the posture only; elsewhere it is off by as much as delta changes\n");
   }

@@ -74,7 +74,7 @@ void exportUrdf(const std::string& resultFile, const PostureOptions& options, co
   requireUsable(result, resultFile);
   const CaptureSet set = readSetOf(resultFile, result, options);
   const std::filesystem::path drawing = set.folder / set.urdf;
-  const std::string text = readFile(drawing);
+  const std::string text = readUrdf(drawing);
   const Robot robot = parseUrdf(text, drawing.string());
   const FoundCorrections found = findCorrections({document, resultFile});
   const std::string corrected = correctUrdf(text, drawing.string(), robot, found.joints);

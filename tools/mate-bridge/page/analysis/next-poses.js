@@ -27,7 +27,7 @@ export function showNext(parent) {
     element("p", {class: "controls"}, wanted, next ? suggest() : null)];
   if (!next) renew(parent, ...head, empty("No poses suggested yet", "They are compared by what they would tell, which takes some seconds.", element("span", {class: "controls next-steps"}, suggest())));
   else if (!next.poses.length) renew(parent, ...head, empty("There are none to suggest", next.whyNone || "These captures leave no question open."));
-  else renew(parent, ...head, element("p", {}, "Why these: measuring in them ", element("b", {}, next.why), next.growth > 1 ? ". The evidence for or against becomes " + next.growth.toFixed(1) + " times stronger." : "."), ...playing(next, again),
+  else renew(parent, ...head, element("p", {}, "Why these: measuring in them ", element("b", {}, next.why), ". " + next.whatTheyTell), ...playing(next, again),
     element("div", {class: "grid"}, ...next.poses.map(pose => poseFigure(pose, next))));
 }
 

@@ -80,8 +80,8 @@ export interface NextMessage {
   poses: {id: string, joints: Record<string, number>, supportFoot: string, observes: string[], secondsToReach?: number, angles: {joint: string, value: number, unit: string}[]}[];
   why: string;
   whyNone: string;
-  /** Factor by which the evidence grows with them. */
-  growth: number;
+  /** How much stronger the evidence becomes with them. */
+  whatTheyTell: string;
   /** What a person does to measure in them. */
   howToTake: string;
   /** Of a NAO: joint error that they are safe for [rad]. */

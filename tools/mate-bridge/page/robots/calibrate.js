@@ -64,7 +64,7 @@ function content() {
       element("p", {class: "keys soft"}, element("span", {class: "key measured"}), " corner, ", element("span", {class: "key predicted"}), " where the current calibration predicts it"),
       element("div", {class: "cameras beside"}, element("div", {}, element("h2", {}, "Posture"), parts.nextWords, stance),
         element("div", {}, element("h2", {}, "The floor"), floor, element("p", {class: "keys soft"}, element("span", {class: "key topView"}), " view of the top camera, ",
-          element("span", {class: "key bottomView"}), " of the bottom camera; ", element("span", {class: "key weight"}), " centre of mass"))))), parts.captures];
+          element("span", {class: "key bottomView"}), " of the bottom camera; ", element("span", {class: "key weight"}), " centre of mass; boards that a camera sees now"))))), parts.captures];
 }
 
 // Parts of the left column: after a run its outcome comes first, otherwise what to do.

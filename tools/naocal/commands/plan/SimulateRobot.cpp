@@ -1,10 +1,10 @@
 #include "commands/plan/SimulateRobot.hpp"
 
-#include "io/Files.hpp"
 #include "io/Folders.hpp"
 #include "io/InputError.hpp"
 #include "poses/PoseFile.hpp"
 #include "robot/RobotOfSet.hpp"
+#include "robot/Urdf.hpp"
 
 #include <charconv>
 #include <fmt/format.h>
@@ -86,7 +86,7 @@ void copyUrdf(const std::string& folder, CaptureSet& set) {
     return;
   }
   constexpr const char* name = "robot.urdf";
-  const std::string text = readFile(set.folder / set.urdf);
+  const std::string text = readUrdf(set.folder / set.urdf);
   createFolders(folder);
   writeAtomically(std::filesystem::path{folder} / name, text);
   set.urdf = name;

@@ -178,9 +178,9 @@ void printNextPoses(const NextPoses& next, GivenOptions asked, const std::string
   }
   asked.sets.emplace_back("FURTHER-SET");
   asked.samePlace = true;
-  printText("\n{} holds {} poses. With them the evidence that {} becomes {:.1f} times stronger. {}, then:\n"
+  printText("\n{} holds {} poses. {} {}, then:\n"
             "  naocal diagnose {}\n",
-            file, next.poses.size(), next.why, next.growth, howToTake(next), asked.commandLine());
+            file, next.poses.size(), whatTheyTell(next), howToTake(next), asked.commandLine());
 }
 
 } // namespace naocal
