@@ -148,12 +148,13 @@ public:
       assessMisfit();
     } while (addNextEffect() || selection_.removeLastAdditions(result_));
     describeCurves();
-    addDisplacedBoards();
-    reachVerdict();
     rankCandidates();
     suggestOwnEffect();
     result_.lastFit = selection_.fit();
     assembleFigures({{measurements_, asked_, result_.fit}, tests_.front()}, {fitted(), tests_.back()}, result_);
+    tests_.clear(); // the refit without displaced boards needs as much memory again
+    addDisplacedBoards();
+    reachVerdict();
     result_.sentence = summarize(result_);
     return std::move(result_);
   }
