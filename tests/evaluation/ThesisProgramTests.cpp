@@ -36,8 +36,41 @@ TEST_CASE("every table of the thesis has its cells as its own program made them"
     CHECK((cell.setting.poses == 4 || cell.setting.poses == 6 || cell.setting.poses == 9));
     CHECK(cell.setting.likeProgram());
   }
-  CHECK(counts ==
-        std::map<std::string, int>{{"5.6-program", 12}, {"5.7-program", 12}, {"5.7-log", 12}, {"5.8-program", 12}});
+  CHECK(counts == std::map<std::string, int>{
+                      {"5.6-program", 12}, {"5.6-log", 6}, {"5.7-program", 12}, {"5.7-log", 18}, {"5.8-program", 12}});
+}
+
+TEST_CASE("the program's samples of a pose share their corners' noise") {
+  // Proves that without joint noise the samples of a pose are the same and those of two poses are not, and that its
+  // three samples of a pose then tell as much as one.
+  ThesisSetting setting = programSetting(ThesisFeature::programGrid, 4);
+  setting.noise = ThesisNoise::pixel;
+  const double once = thesisNoise(setting, 0.3).pixel;
+  setting.samples = 3;
+  CHECK(thesisNoise(setting, 0.3).pixel == Approx(std::sqrt(3) * once));
+  const ThesisExperiment stage = thesisStageFor(setting);
+  Measurements exact = stage.allObservations(), noisy = exact;
+  RandomStream chance{1, "samples"};
+  const auto read = [](double angle) { return AngleReading{angle, angle}; };
+  stage.simulate(Eigen::VectorXd::Zero(8), read, 0, chance, exact);
+  stage.simulate(Eigen::VectorXd::Zero(8), read, 0.3, chance, noisy);
+  std::vector<std::vector<double>> noises; // of the first corner, by pose
+  for (const PoseGroup& pose : noisy.poses) {
+    std::vector<double>& noise = noises.emplace_back();
+    for (const EncoderSample& sample : pose.readings) {
+      for (const std::size_t index : sample.pictures) {
+        if (!noisy.pictures[index].observations.empty()) {
+          noise.push_back(noisy.pictures[index].observations.front().corners.front().u[0] -
+                          exact.pictures[index].observations.front().corners.front().u[0]);
+        }
+      }
+    }
+  }
+  REQUIRE(noises.size() == 4);
+  for (const std::vector<double>& noise : noises) {
+    CHECK(noise == std::vector<double>(3, noise.at(0)));
+  }
+  CHECK(std::abs(noises[0][0] - noises[1][0]) > 1e-3);
 }
 
 TEST_CASE("only the bottom camera passes the thesis's horizon test") {

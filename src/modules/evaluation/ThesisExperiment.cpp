@@ -218,6 +218,17 @@ ThesisScene makeThesisScene(ThesisFeature feature, const std::vector<FloorPatter
   return result;
 }
 
+void addNoise(ImageObservation& picture, double pixel, RandomStream& chance) {
+  for (BoardObservation& observation : picture.observations) {
+    for (CornerBlock& block : observation.corners) {
+      for (int i = 0; i < 4; ++i) {
+        block.u[i] += chance.normal(pixel);
+        block.v[i] += chance.normal(pixel);
+      }
+    }
+  }
+}
+
 /// Measurements of all targets in all poses: one image per camera and sample, containing every corner.
 Measurements observeEverything(const Robot& robot, const ThesisScene& scenery, const ThesisSetting& setting,
                                const std::vector<ThesisPose>& poses) {
@@ -265,8 +276,9 @@ Noise thesisNoise(const ThesisSetting& setting, double pixel) {
   const double rounding =
       setting.likeProgram() ? 0 : encoderStep / std::sqrt(isDithered(setting) ? 6.0 : 12.0); // one uniform error, or
                                                                                              // the sum of two
-  return {.pixel =
-              setting.pixelNoise() ? pixel / std::sqrt(static_cast<double>(copiesOf(setting.feature))) : noPixelNoise,
+  const double sharing = setting.likeProgram() ? static_cast<double>(setting.samples) : 1;
+  const double corners = pixel * std::sqrt(sharing / static_cast<double>(copiesOf(setting.feature)));
+  return {.pixel = setting.pixelNoise() ? corners : noPixelNoise,
           .encoder = setting.angleNoise() ? std::hypot(angleSigma(setting.jointNoise), rounding) : 0,
           .pose = setting.angleNoise() && setting.jointNoise == AngleNoise::stiction ? stiction : 0};
 }
@@ -523,13 +535,20 @@ void ThesisExperiment::simulate(const Eigen::VectorXd& truth, const std::functio
       }
     }
   }
-  for (ImageObservation& picture : taken.pictures) {
-    for (BoardObservation& observation : picture.observations) {
-      for (CornerBlock& block : observation.corners) {
-        for (int i = 0; pixel > 0 && i < 4; ++i) {
-          block.u[i] += chance.normal(pixel);
-          block.v[i] += chance.normal(pixel);
-        }
+  if (pixel > 0) {
+    addCornerNoise(pixel, chance, taken);
+  }
+}
+
+void ThesisExperiment::addCornerNoise(double pixel, RandomStream& chance, Measurements& taken) const {
+  for (const PoseGroup& pose : everything_.poses) {
+    const RandomStream first = chance;
+    for (const EncoderSample& sample : pose.readings) {
+      if (tested_) { // the program's samples differ by joint noise only
+        chance = first;
+      }
+      for (const std::size_t index : sample.pictures) {
+        addNoise(taken.pictures[index], pixel, chance);
       }
     }
   }

@@ -22,7 +22,9 @@ struct AngleReading {
 };
 
 /// Measurement noise of a setting, known to our solver. Noiseless quantities get a small value to keep the problem
-/// regular: 0.01 px, or 0.03 px if angles are noisy. Corners that coincide n times have pixel noise / sqrt(n).
+/// regular: 0.01 px, or 0.03 px if angles are noisy. Corners that coincide n times have pixel noise / sqrt(n); the
+/// program's n samples of a pose, which share their corners' noise, pixel noise * sqrt(n): together they tell what one
+/// does.
 Noise thesisNoise(const ThesisSetting& setting, double pixel);
 
 /// Simulates a commanded joint: it stops within half an encoder step of the command; the reading has the setting's
@@ -107,13 +109,16 @@ public:
   const Model& model() const { return model_; }
 
   /// Simulates captures of all poses: `read` maps commanded angles to readings, true angle = reading's `raw` - offset;
-  /// `truth`: values of the model's unknowns; `pixel`: corner noise, 1 sigma [px].
+  /// `truth`: values of the model's unknowns; `pixel`: corner noise, 1 sigma [px], anew in every picture; with settings
+  /// like the program's the same in all pictures of a pose.
   void simulate(const Eigen::VectorXd& truth, const std::function<AngleReading(double commanded)>& read, double pixel,
                 RandomStream& chance, Measurements& taken) const;
 
 private:
   void look(const ImageObservation& all, const Eigen::VectorXd& angles, const Eigen::VectorXd& truth,
             ImageObservation& seen) const;
+
+  void addCornerNoise(double pixel, RandomStream& chance, Measurements& taken) const;
 
   void lookAsProgram(const ImageObservation& all, const Eigen::VectorXd& angles, ImageObservation& seen) const;
 

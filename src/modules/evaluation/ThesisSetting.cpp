@@ -59,6 +59,10 @@ std::vector<PublishedRow> programRows() {
   rows.push_back({"5.7-log", eight, lm, pixel, 1, {{3, 34.14}, {5, 47.02}, {8, 74.76}}});
   rows.push_back({"5.7-log", eight, lm, joint, 1, {{3, 34.92}, {5, 38.02}, {8, 54.54}}});
   rows.push_back({"5.7-log", eight, lm, both, 1, {{3, 20.70}, {5, 31.10}, {8, 48.70}}});
+  rows.push_back({"5.7-log", eight, lm, joint, 3, {{3, 47.86}, {5, 54.18}, {8, 74.82}}});
+  rows.push_back({"5.7-log", eight, lm, both, 3, {{3, 27.24}, {5, 39.70}, {8, 64.32}}});
+  rows.push_back({"5.6-log", ThesisFeature::programGrid, lm, joint, 3, {{3, 69.30}, {5, 73.80}, {8, 76.32}}});
+  rows.push_back({"5.6-log", ThesisFeature::programGrid, lm, both, 3, {{3, 67.54}, {5, 72.06}, {8, 75.30}}});
   return rows;
 }
 

@@ -46,7 +46,7 @@ struct ThesisSetting {
   std::size_t poses = 3;
   ThesisNoise noise = ThesisNoise::none;
   AngleNoise jointNoise = AngleNoise::radians; // interpretation of joint noise, if present
-  std::size_t samples = 1;                     // per pose, with new readings each
+  std::size_t samples = 1;                     // per pose, with new readings each; corner noise: ThesisExperiment
   bool largeErrors = false;                    // offsets of 1 to 6.5 degrees instead of 0 to 6.5, either sign
   // Beyond the thesis:
   bool bothLegs = false;      // adds the mirror images of all poses on the other leg: 13 offsets
@@ -86,7 +86,7 @@ std::vector<ThesisCell> furtherCells();
 std::vector<ThesisCell> thesisCells();
 
 /// Cells of the tables 5.6 to 5.8 as the thesis's own program made them ("5.6-program"): its "3, 5, 8 poses" are 4, 6
-/// and 9. "5.7-log": table 5.7 with eight boards instead of four, published in the program's logs of 2019-06-02 only;
+/// and 9. "5.6-log", "5.7-log": further rows, 5.7 with eight boards instead of four, in its logs of 2019-06-02 only;
 /// table 5.7 has 0 % with 3 poses, because those runs ended at their start (logs of 2019-05-27).
 std::vector<ThesisCell> programCells();
 

@@ -311,7 +311,7 @@ void ThesisTrial::draw(std::uint64_t seed, std::size_t number) {
   const std::string set = fmt::format("thesis set {}", number);
   RandomStream measuring{seed, set + ", measured"};
   drawTruth(seed, number);
-  const double pixel = setting_.pixelNoise() ? noise_.pixel : 0;
+  const double pixel = pixel_ / std::sqrt(static_cast<double>(copiesOf(setting_.feature)));
   stage_.simulate(
       truth_, [&](double angle) { return readAngle(angle, setting_, measuring); }, pixel, measuring, taken_);
   pixels_.emplace(taken_, plainModel_, onePixel);

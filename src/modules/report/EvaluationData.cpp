@@ -99,6 +99,7 @@ double thesisTolerance(const std::string& table, double best) {
 
 std::string titleOf(const std::string& table) {
   return table == "beyond"             ? "beyond the thesis"
+         : table == "5.6-log"          ? "5.6 as its program made it, three samples (its logs)"
          : table == "5.7-log"          ? "5.7 as its program made it, eight boards (its logs)"
          : table == "5.7-program"      ? "5.7 as its program made it, four boards"
          : table.ends_with("-program") ? table.substr(0, 3) + " as its program made it"

@@ -54,7 +54,7 @@ void ThesisFileOptions::add(CLI::App& command) {
   read("--poses", poses, "poses on the left foot: joint angles [rad], a column per joint");
   read("--features", features, "floor points: columns,rows,spacing,x,y,yaw [m, rad] in the left sole's frame");
   read("--test", test, "held-out poses, like --poses");
-  command.add_option("--samples", samples, "pictures per pose, with files")
+  command.add_option("--samples", samples, "samples of the joints' noise per pose, with files")
       ->check(wholeNumber(1, 100))
       ->capture_default_str()
       ->group(group);
