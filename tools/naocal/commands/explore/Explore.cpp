@@ -25,7 +25,7 @@ namespace naocal {
 namespace {
 
 /// What a command's word after its name is.
-enum class Argument { none, candidate, term, revision, file, optionalFile };
+enum class Argument { none, candidate, term, revision, file, optionalFile, optionalRows };
 
 /// A command of the prompt. `run` gets the word after its name.
 struct Verb {
@@ -35,11 +35,11 @@ struct Verb {
   void (*run)(ExploreLoop& exploration, const std::string& word);
 };
 
-std::size_t revisionNumber(const std::string& word) {
+std::size_t numberIn(const std::string& word, std::string_view expected) {
   std::size_t number = 0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
   if (error != std::errc{} || end != word.data() + word.size()) {
-    throw InputError{fmt::format("expected a number of the ladder, found \"{}\"", word)};
+    throw InputError{fmt::format("expected {}, found \"{}\"", expected, word)};
   }
   return number;
 }
@@ -56,8 +56,11 @@ constexpr std::array verbs{
            exploration.drop(exploration.labelOf(word));
            exploration.printLadder();
          }},
-    Verb{"what", Argument::none, "what", "the candidates, best first",
-         [](ExploreLoop& exploration, const std::string&) { exploration.printCandidates(); }},
+    Verb{"what", Argument::optionalRows, "what [ROWS]", "the candidates, best first; 8 of them without a number",
+         [](ExploreLoop& exploration, const std::string& word) {
+           word.empty() ? exploration.printCandidates()
+                        : exploration.printCandidates(numberIn(word, "a number of rows"));
+         }},
     Verb{"why", Argument::candidate, "why EFFECT@PLACE", "all that is known about a candidate",
          [](ExploreLoop& exploration, const std::string& word) {
            exploration.printCandidate(exploration.labelOf(word));
@@ -80,7 +83,7 @@ constexpr std::array verbs{
          }},
     Verb{"goto", Argument::revision, "goto N", "to model N of the ladder",
          [](ExploreLoop& exploration, const std::string& word) {
-           exploration.goTo(revisionNumber(word));
+           exploration.goTo(numberIn(word, "a number of the ladder"));
            exploration.printLadder();
          }},
     Verb{"save", Argument::file, "save FILE", "the current model's result, as 'naocal solve' writes it",
@@ -135,7 +138,8 @@ bool obey(ExploreLoop& exploration, const std::string& line) {
     throw InputError{fmt::format("expected a command, found \"{}\"; near it are {}; 'help' lists all", name,
                                  fmt::join(closestNames(name, verbNames(), 2), ", "))};
   }
-  const bool needsWord = verb->argument != Argument::none && verb->argument != Argument::optionalFile;
+  const bool isOptional = verb->argument == Argument::optionalFile || verb->argument == Argument::optionalRows;
+  const bool needsWord = verb->argument != Argument::none && !isOptional;
   if ((needsWord && word.empty()) || (verb->argument == Argument::none && !word.empty()) || !further.empty()) {
     throw InputError{fmt::format("expected \"{}\", found \"{}\"", verb->usage, line)};
   }

@@ -165,11 +165,11 @@ void ExploreLoop::printLadder() const {
   }
 }
 
-void ExploreLoop::printCandidates() const {
+void ExploreLoop::printCandidates(std::size_t rows) const {
   for (const DataAnomaly& anomaly : latest_.anomalies) {
     printText("suspected: {}{}\n", anomaly.why, anomaly.setUp.empty() ? "" : "  (mend it: add " + anomaly.setUp + ")");
   }
-  naocal::printCandidates(latest_, true);
+  naocal::printCandidates(latest_, rows, true);
 }
 
 void ExploreLoop::printCandidate(const std::string& label) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "console/CommandLine.hpp"
+#include "console/print/PrintDiagnosis.hpp"
 #include "diagnosis/Diagnosis.hpp"
 #include "diagnosis/Session.hpp"
 #include "diagnosis/anomalies/MendedMeasurements.hpp"
@@ -36,7 +37,7 @@ public:
   void goTo(std::size_t revision);
 
   void printLadder() const;
-  void printCandidates() const;
+  void printCandidates(std::size_t rows = candidateRows) const;
   /// Everything known about one candidate.
   void printCandidate(const std::string& label) const;
   /// Errors of the current model by board and camera, and of the worst poses.

@@ -68,15 +68,14 @@ void printCurves(const Diagnosis& diagnosis) {
 
 } // namespace
 
-void printCandidates(const Diagnosis& diagnosis, bool areNumbered) {
-  constexpr std::size_t shown = 8;
+void printCandidates(const Diagnosis& diagnosis, std::size_t rows, bool areNumbered) {
   double most = 0;
   for (const CandidateFinding& finding : diagnosis.ranking) {
     most = std::max(most, finding.evidence.bayes);
   }
   printText("\ncandidates, most plausible first (bar and number: evidence, 2 ln of the Bayes factor against the model "
             "without it)\n");
-  for (std::size_t i = 0; i < std::min(shown, diagnosis.ranking.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(rows, diagnosis.ranking.size()); ++i) {
     const CandidateFinding& finding = diagnosis.ranking[i];
     if (finding.state == CandidateState::noData) {
       break;
@@ -84,8 +83,8 @@ void printCandidates(const Diagnosis& diagnosis, bool areNumbered) {
     const std::string fall = finding.chi2Drop ? fmt::format("; chi2 fell by {:.0f} on adding it, predicted {:.0f}",
                                                             *finding.chi2Drop, finding.evidence.likelihoodRatio)
                                               : "";
-    printText("  {}{:32} {} {:8.1f}  {:19} {}{}\n", areNumbered ? fmt::format("{}  ", i + 1) : "", finding.term.label(),
-              bar(std::max(0.0, finding.evidence.bayes), most, 14), finding.evidence.bayes,
+    printText("  {}{:32} {} {:8.1f}  {:19} {}{}\n", areNumbered ? fmt::format("{:<4}", i + 1) : "",
+              finding.term.label(), bar(std::max(0.0, finding.evidence.bayes), most, 14), finding.evidence.bayes,
               describeState(shownState(finding, diagnosis)), formatSizes(finding), fall);
   }
   std::size_t absorbed = 0, noData = 0, inconclusive = 0;

@@ -16,8 +16,11 @@ void printDiagnosis(const Diagnosis& diagnosis, const GivenOptions& asked);
 /// `file` that holds it. `isThere`: an expression fits the curve.
 void printOwnEffectHint(bool isThere, const Diagnosis& diagnosis, const GivenOptions& asked, const std::string& file);
 
-/// Prints the candidates only; `areNumbered`: with the numbers of their rows.
-void printCandidates(const Diagnosis& diagnosis, bool areNumbered = false);
+/// Candidates that are printed unless asked for more: a screen holds them beside the rest.
+inline constexpr std::size_t candidateRows = 8;
+
+/// Prints the first `rows` candidates only; `areNumbered`: with the numbers of their rows.
+void printCandidates(const Diagnosis& diagnosis, std::size_t rows = candidateRows, bool areNumbered = false);
 
 /// Prints everything known about one candidate.
 void printCandidate(const CandidateFinding& finding, const Diagnosis& diagnosis);
