@@ -1,9 +1,8 @@
+#include "dialects/HeadExamples.hpp"
 #include "dialects/heads/HeadDialects.hpp"
-
 #include "io/InputError.hpp"
 #include "math/Angles.hpp"
 #include "robot/Kinematics.hpp"
-#include "robot/Urdf.hpp"
 
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
@@ -24,30 +23,6 @@ const Vector3d x = Vector3d::UnitX(), y = Vector3d::UnitY(), z = Vector3d::UnitZ
 
 /// Optical from camera axes, written down: x right = -left, y down = -up, z forward.
 const Matrix3d axes = (Matrix3d{} << 0, -1, 0, 0, 0, -1, 1, 0, 0).finished();
-
-/// A head with the names and axes that all three teams' robots share, its camera turned and its mount in two fixed
-/// steps.
-Robot headOf(const std::string& neckLink, const std::string& cameraLink) {
-  Robot robot = parseUrdf(
-      R"(<robot name="head"><link name="trunk"/><link name="yawed"/><link name=")" + neckLink + R"("/>
-  <link name="eyes"/><link name=")" +
-          cameraLink + R"("/>
-  <joint name="yaw" type="revolute"><parent link="trunk"/><child link="yawed"/><origin xyz="0.0056 0 0.2149"/><axis xyz="0 0 1"/><limit lower="-1" upper="1" velocity="1" effort="1"/></joint>
-  <joint name="pitch" type="revolute"><parent link="yawed"/><child link=")" +
-          neckLink +
-          R"("/><origin xyz="0 0 0.033"/><axis xyz="0 1 0"/><limit lower="-1" upper="1" velocity="1" effort="1"/></joint>
-  <joint name="bridge" type="fixed"><parent link=")" +
-          neckLink + R"("/><child link="eyes"/><origin xyz="0.05 0.005 0.06" rpy="0.02 -0.03 0.04"/></joint>
-  <joint name="eye" type="fixed"><parent link="eyes"/><child link=")" +
-          cameraLink + R"("/><origin xyz="0.03 0.02 0" rpy="-0.01 0.05 0.02"/></joint>
-  </robot>)",
-      "head.urdf");
-  robot.cameras.push_back({.name = "left",
-                           .link = *robot.linkIndex(cameraLink),
-                           .translation = {0.001, 0.002, 0.003},
-                           .rotation = turnAbout(z, 0.1) * turnAbout(y, 0.2)});
-  return robot;
-}
 
 RobotCalibration randomHead(unsigned seed, const char* yaw = "yaw", const char* pitch = "pitch") {
   std::mt19937 random{seed};
@@ -97,67 +72,12 @@ double difference(const Matrix3d& one, const Matrix3d& other) {
   return AngleAxisd{one.transpose() * other}.angle();
 }
 
-const std::string hulksFile = R"({
-  // K1, measured in the lab's "corner" — don't touch
-  camera_matrix_parameters: {
-    camera_to_head_pitch: -0.2125811028, /* degrees */
-	correction_in_robot: [0.0, 0.5 /* by eye */, 0.0,],
-    'correction_in_camera': [.1, +0.0, -0.2],
-  },
-  synchronization: { max: "http://0" },
-}
-)";
-const std::string hulksFileAtTop =
-    R"({"correction_in_camera":[0,0,0],"correction_in_robot":[0,0,0],"camera_to_head_pitch":3.5})";
-const std::string bitBotsFile = R"(# Pi+ "pink"
-/bitbots_extrinsic_camera_calibration:
-  ros__parameters:
-    offset_x: 0.4   # by eye
-    offset_y: 0.0
-    offset_z: 0.0
-
-/bitbots_extrinsic_imu_calibration:
-  ros__parameters:
-    offset_x: 0.0
-    offset_y: 0.085
-)";
-const std::string nugusFile = R"(serial_number: 0118847F
-lens: {fov: auto, k: [0.38, 0.14]}
-is_left_camera: true
-roll_offset: 0.19879790552406168 * pi / 180
-pitch_offset: "-(3 + 0.8) * pi / 180" # measured
-yaw_offset: 0.05
-)";
-const std::string k1File = R"(log_level: INFO
-Hpc:
-  translation: [0.065, 0.035, 0.0915]
-  rotation_rpy: [-0.0425, 0.0175, -0.09]
-  roll_offset: 0.0
-  pitch_offset: 0.0
-  yaw_offset: 0.0
-)";
-const std::string k1FileOfAngles = "Hpc:\n  translation: [0, 0, 0]\n  rotation_rpy: [-0.0425, 0.0175, -0.09] # rad\n";
-
-struct Example {
-  std::string dialect, text;
-  Robot robot;
-};
-
-std::vector<Example> examples() {
-  return {{"hulks-k1", hulksFile, headOf("Head_2", "eye")},
-          {"hulks-k1", hulksFileAtTop, headOf("Head_2", "eye")},
-          {"bit-bots", bitBotsFile, headOf("head", "camera_optical_frame_left_uncalibrated")},
-          {"nubots", nugusFile, headOf("head", "left_camera")},
-          {"nubots", k1File, headOf("Head_2", "eye")},
-          {"nubots", k1FileOfAngles, headOf("Head_2", "eye")}};
-}
-
-std::string write(const Example& example, const RobotCalibration& calibration) {
+std::string write(const HeadExample& example, const RobotCalibration& calibration) {
   return findHeadDialect(example.dialect)
       ->write(example.text, "robot.file", example.robot, describeHeadCamera(example.robot, "", calibration));
 }
 
-std::string refusal(const Example& example) {
+std::string refusal(const HeadExample& example) {
   try {
     (void)write(example, randomHead(1));
   } catch (const InputError& error) {
@@ -172,7 +92,7 @@ TEST_CASE("the K1 of HULKs looks by its written file where the calibrated robot 
   // Proves signs and orders at 20 postures of 20 heads: HULKs' formula, written here anew, from the numbers of the
   // file.
   for (const std::string& text : {hulksFile, hulksFileAtTop}) {
-    const Example example{"hulks-k1", text, headOf("Head_2", "eye")};
+    const HeadExample example{"hulks-k1", text, headOf("Head_2", "eye")};
     std::mt19937 random{7};
     std::uniform_real_distribution<double> angle{-0.9, 0.9};
     for (unsigned seed = 1; seed <= 20; ++seed) {
@@ -204,7 +124,7 @@ TEST_CASE("the K1 of HULKs looks by its written file where the calibrated robot 
 TEST_CASE("the Pi+ of Bit-Bots looks by its written file where the calibrated robot looks") {
   // Proves that the published transform, uncalibratedFromOptical, leads to the calibrated camera at any posture; the
   // head's yaw has no place there and is left out of both.
-  const Example example{"bit-bots", bitBotsFile, headOf("head", "camera_optical_frame_left_uncalibrated")};
+  const HeadExample example{"bit-bots", bitBotsFile, headOf("head", "camera_optical_frame_left_uncalibrated")};
   for (unsigned seed = 1; seed <= 20; ++seed) {
     RobotCalibration calibration = randomHead(seed);
     calibration.offsets["yaw"] = 0;
@@ -227,7 +147,7 @@ TEST_CASE("a NUgus and a K1 of NUbots look by their written files where the cali
   // Proves Rx(yaw) Rz(pitch) Ry(roll) in front of the URDF's camera, and of the file's own frame; and the frame alone.
   for (const std::string& text : {nugusFile, k1File, k1FileOfAngles}) {
     const bool isNugus = text == nugusFile;
-    const Example example{"nubots", text, headOf(isNugus ? "head" : "Head_2", isNugus ? "left_camera" : "eye")};
+    const HeadExample example{"nubots", text, headOf(isNugus ? "head" : "Head_2", isNugus ? "left_camera" : "eye")};
     for (unsigned seed = 1; seed <= 20; ++seed) {
       RobotCalibration calibration = randomHead(seed);
       calibration.offsets["yaw"] = 0;
@@ -251,7 +171,7 @@ TEST_CASE("a NUgus and a K1 of NUbots look by their written files where the cali
 }
 
 TEST_CASE("what was written of a head is read and written again to the same digit") {
-  for (const Example& example : examples()) {
+  for (const HeadExample& example : headExamples()) {
     for (unsigned seed = 1; seed <= 50; ++seed) {
       INFO(example.dialect << ", seed " << seed);
       const HeadDialect& dialect = *findHeadDialect(example.dialect);
@@ -261,7 +181,7 @@ TEST_CASE("what was written of a head is read and written again to the same digi
       CHECK(direction.unused.empty());
       CHECK(direction.baseOffset.has_value() == dialect.hasBase);
       const RobotCalibration back = calibrationFromDirection(drawn, direction.neckFromCamera, direction.baseOffset);
-      Example again = example;
+      HeadExample again = example;
       again.text = written;
       CHECK(write(again, back) == written);
     }
@@ -272,13 +192,13 @@ TEST_CASE("numbers of a head that a calibration does not know stay in the file")
   // Proves it for the direction of the camera and the yaw's offset, each without the other, and for nothing known.
   RobotCalibration direction = randomHead(5), yaw;
   yaw.offsets["yaw"] = direction.offsets.extract("yaw").mapped();
-  for (const Example& example : examples()) {
+  for (const HeadExample& example : headExamples()) {
     INFO(example.dialect);
     CHECK(write(example, {}) == example.text);
     CHECK(write(example, direction) != example.text);
     CHECK((write(example, yaw) == example.text) == (example.dialect != "hulks-k1"));
   }
-  const Example example{"hulks-k1", hulksFile, headOf("Head_2", "eye")};
+  const HeadExample example{"hulks-k1", hulksFile, headOf("Head_2", "eye")};
   CHECK(write(example, direction).find("correction_in_robot: [0.0, 0.5 /* by eye */, 0.0,]") != std::string::npos);
   CHECK(write(example, yaw).find("'correction_in_camera': [.1, +0.0, -0.2]") != std::string::npos);
 }
@@ -289,7 +209,7 @@ TEST_CASE("everything else in a file stays to the byte") {
   calibration.offsets = {{"yaw", 0.01}, {"pitch", 0}};
   calibration.cameras["left"].rotation = Vector3d::Zero();
   const std::regex number{R"([-+]?\d*\.?\d+( \* pi / 180)?)"};
-  for (Example example : examples()) {
+  for (HeadExample example : headExamples()) {
     const std::string written = write(example, calibration);
     CHECK(written != example.text);
     example.text = std::regex_replace(example.text, std::regex{R"(-\(3 \+ 0\.8\))"}, "1");
@@ -323,7 +243,7 @@ TEST_CASE("files and robots of another kind are refused with what to do") {
 
 TEST_CASE("the drawings of the K1 and of the Pi+ have what their teams' files need") {
   const Robot k1 = loadRobot(configurationDirectory(), "K1");
-  const Example example{"hulks-k1", hulksFile, k1};
+  const HeadExample example{"hulks-k1", hulksFile, k1};
   const RobotCalibration calibration = randomHead(3, "AAHead_yaw", "Head_pitch");
   const HeadDirection direction =
       findHeadDialect("hulks-k1")->parse(write(example, calibration), "k1.json5", k1, describeHeadCamera(k1, "", {}));

@@ -120,6 +120,9 @@ TEST_CASE("random bytes as a camera's calibration are read or refused") {
 TEST_CASE("random bytes as files of other teams are read or refused") {
   replay("dialects");
 }
+TEST_CASE("random bytes as another team's file of a head are read or refused") {
+  replay("heads");
+}
 TEST_CASE("random bytes of a debug client are answered or end its connection") {
   replay("debug-frames");
 }

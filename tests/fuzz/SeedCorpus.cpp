@@ -3,6 +3,7 @@
 #include "data/GoodSet.hpp"
 #include "diagnosis/Session.hpp"
 #include "dialects/Dialects.hpp"
+#include "dialects/HeadExamples.hpp"
 #include "dialects/ModelCalibration.hpp"
 #include "estimation/ModelBuilder.hpp"
 #include "estimation/ModelFile.hpp"
@@ -76,6 +77,14 @@ void writeAnswers(const CaptureSet& set, const Robot& robot) {
       writeSeed("dialects", std::string{dialect.name} + "-" + std::filesystem::path{file.name}.filename().string(),
                 file.text);
     }
+  }
+}
+
+void writeHeads() {
+  const char* const names[]{"hulks-k1", "hulks-k1-at-top", "bit-bots", "nubots-nugus", "nubots-k1", "nubots-k1-angles"};
+  const std::vector<HeadExample> examples = headExamples();
+  for (std::size_t i = 0; i < examples.size(); ++i) {
+    writeSeed("heads", names[i], examples[i].text);
   }
 }
 
@@ -210,6 +219,7 @@ TEST_CASE("the seeds of the corpora are written with the project's own writers",
   const CaptureSet set = smallSet(robot);
   writeCaptureSets(set);
   writeAnswers(set, robot);
+  writeHeads();
   writeModels();
   writePosesAndDrawings();
   writeScenes();

@@ -1,5 +1,6 @@
 #include "commands/plan/SimulateRobot.hpp"
 
+#include "io/Files.hpp"
 #include "io/Folders.hpp"
 #include "io/InputError.hpp"
 #include "poses/PoseFile.hpp"
