@@ -38,7 +38,7 @@ TEST_CASE("corners found in the rendered pictures are those that the simulation 
   plan.images = true;
   const Simulation pictures = simulate(robot, plan, 1);
   const TemporaryFolder folder;
-  REQUIRE(renderPictures(pictures, {}, 1, folder.path(), 2, [](std::size_t) { return true; }) == 24);
+  REQUIRE(renderPictures(picturesOf(pictures), {}, 1, folder.path(), 2, [](std::size_t) { return true; }) == 24);
   std::size_t found = 0, given = 0, common = 0;
   for (std::size_t i = 0; i < pictures.set.captures.size(); ++i) {
     const Capture& capture = pictures.set.captures[i];

@@ -233,6 +233,7 @@ public:
   }
 
   std::vector<Capture> captures;
+  std::vector<RenderedScene> scenes; // with `ScenePlan::images`: per capture
   std::vector<GrossCorner> gross;
 
 private:
@@ -247,11 +248,11 @@ private:
     }
     const bool isEnough = sight.isEnough;
     const int samples = comesBack() ? 1 : plan_.samples;
-    record(name, 0, samples, pose, sight.captures);
+    record(name, 0, samples, pose, sight);
     for (int repeat = 1; comesBack() && repeat < plan_.samples; ++repeat) {
       pose.time = clock_;
       pose.deflection = scatter + drawScatter(approaches_, scene_.noise.approach);
-      record(name, repeat, 1, pose, robot_.look(pose).captures);
+      record(name, repeat, 1, pose, robot_.look(pose));
     }
     ++taken_;
     return isEnough;
@@ -274,17 +275,19 @@ private:
   }
 
   void recordTouch(const std::string& name, int repeat, const TrueRobot::Pose& pose, std::size_t touch) {
-    std::vector<Capture> seen = robot_.look(pose).captures;
-    seen.push_back(robot_.touches()[touch]);
+    TrueRobot::Sight seen = robot_.look(pose);
+    seen.captures.push_back(robot_.touches()[touch]);
+    seen.scenes.resize(plan_.images ? seen.captures.size() : 0);
     record(name, repeat, 1, pose, seen);
   }
 
   /// Adds samples of one approach.
   void record(const std::string& name, int firstRepeat, int samples, const TrueRobot::Pose& pose,
-              const std::vector<Capture>& seen) {
+              const TrueRobot::Sight& seen) {
     for (int sample = 0; sample < samples; ++sample) {
       const JointReadings readings = spoiler_.readJoints(robot_.robot(), pose.recorded, pose.approach);
-      for (Capture capture : seen) {
+      for (std::size_t i = 0; i < seen.captures.size(); ++i) {
+        Capture capture = seen.captures[i];
         if (capture.camera.empty() && capture.points.empty() && capture.frames.empty() && capture.contacts.empty()) {
           continue;
         }
@@ -296,6 +299,9 @@ private:
         capture.joints = readings;
         spoiler_.spoil(capture, gross);
         captures.push_back(std::move(capture));
+        if (plan_.images) {
+          scenes.push_back(seen.scenes[i]);
+        }
       }
     }
     last_ = pose.recorded;
@@ -331,6 +337,16 @@ private:
   std::size_t taken_ = 0;
 };
 
+/// Lets pictures stand for the corners that they show.
+void replaceCorners(std::vector<Capture>& captures) {
+  for (Capture& capture : captures) {
+    if (!capture.camera.empty()) {
+      capture.image = fmt::format("images/{:04}.png", capture.id);
+      capture.corners.reset();
+    }
+  }
+}
+
 } // namespace
 
 SceneSimulation simulateScene(const RobotScene& scene, const ScenePlan& plan) {
@@ -358,11 +374,17 @@ SceneSimulation simulateScene(const RobotScene& scene, const ScenePlan& plan) {
   }
   result.set.instruments.distances = measureDistances(scene, robot.set(), plan.sceneSeed.value_or(plan.seed));
   result.set.captures = std::move(taker.captures);
-  result.truth.grossCorners = std::move(taker.gross);
+  result.scenes = std::move(taker.scenes);
   result.truth.seed = plan.seed;
   result.truth.effects = robot.listEffects();
   result.truth.noise = listNoise(scene, plan);
   result.truth.scene = listTrueScene(robot.set(), resultWorld(scene, robot, result.set.captures));
+  if (plan.images) {
+    replaceCorners(result.set.captures);
+    result.lenses = robot.lenses();
+  } else {
+    result.truth.grossCorners = std::move(taker.gross);
+  }
   const Robot& drawn = robot.robot();
   result.links = drawn.links.size();
   for (std::size_t link = 0; link < drawn.links.size(); ++link) {

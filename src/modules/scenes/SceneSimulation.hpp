@@ -2,9 +2,11 @@
 
 #include "poses/PoseFile.hpp"
 #include "scenes/RobotScene.hpp"
+#include "simulation/Renderer.hpp"
 #include "simulation/Truth.hpp"
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,6 +24,7 @@ struct ScenePlan {
   double mountShiftRange = 0;     // per camera on a link and axis [m]; 0: `placementSigma`, if the scene gives it
   std::vector<std::string> flaws; // hidden: "effect@place", "effect@place.unknown", "reversedJoint@J", "countSlip@J"
   double flawScale = 1;
+  bool images = false;     // what the cameras see is kept to be rendered; no corners are given
   bool heavyTails = false; // of corners: Student's t with 4 degrees of freedom instead of a normal distribution
   double grossShare = 0;   // fraction of corners with gross errors [1]
   double grossSize = 8;    // [px]
@@ -34,7 +37,9 @@ struct ScenePlan {
 struct SceneSimulation {
   CaptureSet set; // its URDF keeps the place that it was read from
   Truth truth;
-  std::size_t links = 0, shapedLinks = 0; // of the robot, and of those the ones with a shape to collide with
+  std::vector<RenderedScene> scenes;              // with `images`: per capture, empty without a camera
+  std::map<std::string, CameraIntrinsics> lenses; // with `images`: the true ones
+  std::size_t links = 0, shapedLinks = 0;         // of the robot, and of those the ones with a shape to collide with
 };
 
 /// Simulates a robot in random poses of `ScenePoses` in which its cameras see at least eight corners of a board, or, in
@@ -48,7 +53,8 @@ struct SceneSimulation {
 /// effects'), with random signs where either is possible; a spring gives way by 0.02 rad at most. Reproducible by seed.
 ///
 /// Throws InputError for flaws that this robot in this scene cannot have, and if too few poses are found or
-/// the given ones see nothing, for a place that no pose touches, and for `restand`: the robot is in one stance.
+/// the given ones see nothing, for a place that no pose touches, and for `restand`: the robot is in one stance. With
+/// `images` also for boards without a ChArUco pattern, and for flaws of a board's shape or of the shutter.
 SceneSimulation simulateScene(const RobotScene& scene, const ScenePlan& plan);
 
 } // namespace naocal

@@ -5,6 +5,7 @@
 #include "io/InputError.hpp"
 #include "math/LinearAlgebra.hpp"
 #include "robot/RobotOfSet.hpp"
+#include "scenes/ScenePictures.hpp"
 #include "simulation/SyntheticCamera.hpp"
 
 #include <algorithm>
@@ -208,6 +209,9 @@ TrueRobot::TrueRobot(const RobotScene& scene, const ScenePlan& plan)
     }
   }
   model_ = buildModel(measurements_, with);
+  if (plan_.images) {
+    requireRenderable(set_, model_);
+  }
   drawUnknowns();
   drawFlaws();
 }
@@ -261,6 +265,11 @@ TrueRobot::Sight TrueRobot::look(const Pose& pose) {
     } else {
       track(picture, state, torsoFromLink, capture);
       sight.isEnough |= set_.cameras.empty() && !(capture.points.empty() && capture.frames.empty());
+    }
+    if (plan_.images) {
+      const bool isPicture = picture.camera != ImageObservation::noCamera;
+      sight.scenes.push_back(isPicture ? boardsBefore(picture, measurements_, {robot_, state, torsoFromLink})
+                                       : RenderedScene{});
     }
     sight.captures.push_back(std::move(capture));
   }
@@ -426,15 +435,21 @@ void TrueRobot::drawFlaws() {
   }
 }
 
+std::map<std::string, CameraIntrinsics> TrueRobot::lenses() const {
+  std::map<std::string, CameraIntrinsics> lenses;
+  for (const ImageObservation& picture : measurements_.pictures) {
+    if (picture.camera != ImageObservation::noCamera) {
+      const std::string& name = robot_.cameras[picture.camera].name;
+      lenses.emplace(name, lensIn(predictState(measurements_, model_, picture, unknowns_), set_.cameras.at(name)));
+    }
+  }
+  return lenses;
+}
+
 std::vector<BoardCorners> TrueRobot::seeCorners(const ImageObservation& picture, const ModelState& state,
                                                 const LinkPoses& torsoFromLink) const {
   const Eigen::Matrix3d cameraFromOptical = opticalFromCamera().transpose();
-  CameraIntrinsics camera = set_.cameras.at(robot_.cameras[picture.camera].name);
-  camera.fx = state.lens()[0];
-  camera.fy = state.lens()[1];
-  camera.cx = state.lens()[2];
-  camera.cy = state.lens()[3];
-  std::copy(state.lens().begin() + 4, state.lens().end(), camera.distortion.begin());
+  const CameraIntrinsics camera = lensIn(state, set_.cameras.at(robot_.cameras[picture.camera].name));
   std::vector<BoardCorners> seen;
   for (const BoardObservation& observation : picture.observations) {
     const Board& board = measurements_.targets[observation.view.board()].board;

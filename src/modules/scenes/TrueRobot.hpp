@@ -36,8 +36,9 @@ public:
 
   /// What is read in a pose.
   struct Sight {
-    std::vector<Capture> captures; // with true readings; no joints
-    bool isEnough = false;         // eight corners of a board, or without cameras a marker or frame
+    std::vector<Capture> captures;     // with true readings; no joints
+    std::vector<RenderedScene> scenes; // with `ScenePlan::images`: before the camera of each
+    bool isEnough = false;             // eight corners of a board, or without cameras a marker or frame
   };
   Sight look(const Pose& pose);
 
@@ -52,6 +53,9 @@ public:
 
   /// What the encoders would read where the true joints are so, but for effects other than offsets [rad].
   Eigen::VectorXd recordedAt(const Eigen::VectorXd& angles) const;
+
+  /// The true lens of each camera.
+  std::map<std::string, CameraIntrinsics> lenses() const;
 
   /// The true unknowns, and flaws of the set-up.
   std::vector<TrueEffect> listEffects() const;

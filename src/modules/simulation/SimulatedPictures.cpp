@@ -35,18 +35,24 @@ RenderedScene sceneAt(const Simulation& simulation, std::size_t capture) {
 
 } // namespace
 
-std::size_t renderPictures(const Simulation& simulation, const Appearance& appearance, std::uint64_t seed,
+PictureSource picturesOf(const Simulation& simulation) {
+  return {simulation.set, simulation.set.cameras, [&](std::size_t capture) { return sceneAt(simulation, capture); }};
+}
+
+std::size_t renderPictures(const PictureSource& source, const Appearance& appearance, std::uint64_t seed,
                            const std::filesystem::path& setFolder, std::size_t threads,
                            const std::function<bool(std::size_t)>& proceed) {
   std::map<std::string, Renderer> renderers;
-  for (const auto& [name, intrinsics] : simulation.set.cameras) {
+  for (const auto& [name, intrinsics] : source.lenses) {
     renderers.emplace(name, intrinsics);
   }
-  const std::vector<Capture>& captures = simulation.set.captures;
+  const std::vector<Capture>& captures = source.set.captures;
   const auto take = [&](std::size_t i) {
-    const GreyPicture picture =
-        renderers.at(captures[i].camera).render(sceneAt(simulation, i), appearance, seed ^ (std::uint64_t{i} << 32U));
-    writeImage(picture, setFolder / captures[i].image);
+    if (!captures[i].image.empty()) {
+      const GreyPicture picture =
+          renderers.at(captures[i].camera).render(source.sceneAt(i), appearance, seed ^ (std::uint64_t{i} << 32U));
+      writeImage(picture, setFolder / captures[i].image);
+    }
   };
   makeFolder(setFolder / "images");
   std::size_t done = 0;

@@ -49,7 +49,7 @@ std::optional<Simulation> robotWithPictures(const DemoCommand& command, const Ro
   Simulation simulation = simulate(robot, plan, command.seed);
   const Progress progress{"pictures taken"};
   const std::size_t all = simulation.set.captures.size();
-  const std::size_t taken = renderPictures(simulation, Appearance{}, command.seed, folder, threads(),
+  const std::size_t taken = renderPictures(picturesOf(simulation), Appearance{}, command.seed, folder, threads(),
                                            [&](std::size_t done) { return progress(done, all); });
   return taken == all ? std::optional{std::move(simulation)} : std::nullopt;
 }

@@ -281,13 +281,12 @@ void removePictures(const std::set<std::filesystem::path>& before, const std::fi
 }
 
 /// Renders the images; after Ctrl-C the set keeps the captures with an image.
-void takePictures(const SimulateOptions& options, Simulation& simulation) {
+void takePictures(const SimulateOptions& options, const PictureSource& source, CaptureSet& set) {
   const Progress progress{"pictures"};
-  const std::size_t all = simulation.set.captures.size();
+  const std::size_t all = set.captures.size();
   const std::size_t threads = std::max(1U, std::thread::hardware_concurrency());
   const auto proceed = [&](std::size_t done) { return progress(done, all); };
-  simulation.set.captures.resize(
-      renderPictures(simulation, options.appearance, options.seed, options.output, threads, proceed));
+  set.captures.resize(renderPictures(source, options.appearance, options.seed, options.output, threads, proceed));
 }
 
 /// The sum of a count over all captures.
@@ -325,6 +324,17 @@ std::size_t poseCount(const CaptureSet& set) {
   return poses.size();
 }
 
+std::string cornersOrPictures(const SimulateOptions& options, std::size_t corners) {
+  return options.plan.images ? "with pictures (naocal detect finds their corners)" : fmt::format("{} corners", corners);
+}
+
+void printPlaces(const SimulateOptions& options, const std::filesystem::path& truth) {
+  printText("set:   {}\ntruth: {}\n", options.output, truth.string());
+  if (Progress::wasInterrupted()) {
+    printText("stopped: the set holds the captures whose picture was taken\n");
+  }
+}
+
 std::vector<std::string> splitAtCommas(const std::string& text) {
   std::vector<std::string> parts;
   std::istringstream words{text};
@@ -351,6 +361,7 @@ RobotSimulation describeRobot(const SimulateOptions& options, bool hasPixelNoise
                    .mountShiftRange = options.mountMillimetres / 1000,
                    .flaws = splitAtCommas(plan.flaw),
                    .flawScale = plan.flawScale,
+                   .images = plan.images,
                    .heavyTails = plan.corners.heavyTails,
                    .grossShare = plan.corners.grossShare,
                    .grossSize = plan.corners.grossSize,
@@ -365,6 +376,10 @@ void simulateOtherRobot(const SimulateOptions& options, const CLI::App& simulato
   const auto before = picturesIn(options.output);
   const bool hasPixelNoise = simulator.get_option("--pixel-noise")->count() > 0;
   SceneSimulation simulation = simulateRobot(describeRobot(options, hasPixelNoise));
+  if (options.plan.images) {
+    const auto sceneAt = [&](std::size_t capture) { return simulation.scenes[capture]; };
+    takePictures(options, {simulation.set, simulation.lenses, sceneAt}, simulation.set);
+  }
   const std::filesystem::path truth = truthPath(options.output);
   copyUrdf(options.output, simulation.set);
   writeCaptureSet(simulation.set, options.output);
@@ -383,11 +398,12 @@ void simulateOtherRobot(const SimulateOptions& options, const CLI::App& simulato
               options.json);
   }
   if (options.json != "-") {
-    printText("{}: {} captures of {} poses, {} corners, {} tracker readings{}\n", options.robot, captures,
-              poseCount(simulation.set), corners, readings, touches > 0 ? fmt::format(", {} touches", touches) : "");
+    printText("{}: {} captures of {} poses, {}, {} tracker readings{}\n", options.robot, captures,
+              poseCount(simulation.set), cornersOrPictures(options, corners), readings,
+              touches > 0 ? fmt::format(", {} touches", touches) : "");
     printText("self-collision: {} of {} links have a shape to collide with\n", simulation.shapedLinks,
               simulation.links);
-    printText("set:   {}\ntruth: {}\n", options.output, truth.string());
+    printPlaces(options, truth);
   }
 }
 
@@ -406,7 +422,7 @@ void simulateSet(const SimulateOptions& options, const CLI::App& simulator) {
   const SimulationPlan plan = makePlan(options, robot);
   Simulation simulation = simulate(robot, plan, options.seed);
   if (plan.images) {
-    takePictures(options, simulation);
+    takePictures(options, picturesOf(simulation), simulation.set);
   }
   const std::filesystem::path truth = truthPath(options.output);
   writeCaptureSet(simulation.set, options.output);
@@ -423,12 +439,8 @@ void simulateSet(const SimulateOptions& options, const CLI::App& simulator) {
   if (options.json != "-") {
     printText("{}: {} captures of {} poses in {} stance{}, {}\n", robot.model, simulation.set.captures.size(),
               plan.poses.size(), simulation.set.stances.size(), simulation.set.stances.size() == 1 ? "" : "s",
-              plan.images ? "with pictures (naocal detect finds their corners)"
-                          : fmt::format("{} corners", cornerCount(simulation.set)));
-    printText("set:   {}\ntruth: {}\n", options.output, truth.string());
-    if (Progress::wasInterrupted()) {
-      printText("stopped: the set holds the captures whose picture was taken\n");
-    }
+              cornersOrPictures(options, cornerCount(simulation.set)));
+    printPlaces(options, truth);
   }
 }
 

@@ -14,17 +14,11 @@ namespace naocal {
 
 namespace {
 
-constexpr const char* ofPictures = "pictures are rendered for NAOs only";
 constexpr NaoOption naoOptions[]{{"--boards", "a scene says which boards there are (--scene)"},
                                  {"--hidden-flaw", "name the flaw of another robot with --flaw"},
                                  {"--surveyed", "a scene says what the set places (--scene)"},
                                  {"--displaced-board", "boards stay where they are before other robots"},
-                                 {"--images", ofPictures},
-                                 {"--size", "a scene says how large pictures are (--scene)"},
-                                 {"--blur", ofPictures},
-                                 {"--grey-noise", ofPictures},
-                                 {"--vignetting", ofPictures},
-                                 {"--jpeg-quality", ofPictures}};
+                                 {"--size", "a scene says how large pictures are (--scene)"}};
 
 /// Sets the poses of a plan: a number of random ones, or those of a file for the scene's robot on the same foot, in the
 /// file's stance.
