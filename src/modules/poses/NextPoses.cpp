@@ -148,11 +148,12 @@ NextPoses proposeNextPoses(const FittedModel& fitted, const ModelAmbiguity& ques
 
 std::string whatTheyTell(const NextPoses& next) {
   if (next.growth < worthTaking) {
-    return fmt::format("They hardly help: with them the evidence that {} becomes {:.2f} times as strong. More captures "
-                       "of the same kind, or another place of the camera, the boards or the tracker, tell more.",
-                       next.why, next.growth);
+    return fmt::format(
+        "They hardly help: with them the evidence for or against becomes {:.2f} times as strong. More "
+        "captures of the same kind, or another place of the camera, the boards or the tracker, tell more.",
+        next.growth);
   }
-  return fmt::format("With them the evidence that {} becomes {:.1f} times stronger.", next.why, next.growth);
+  return fmt::format("With them the evidence for or against becomes {:.1f} times stronger.", next.growth);
 }
 
 std::string howToTake(const NextPoses& next) {

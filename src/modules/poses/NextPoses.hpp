@@ -50,8 +50,8 @@ void selectNextPoses(const ModelAmbiguity& question, const PlannedInformation& i
 NextPoses proposeNextPoses(const FittedModel& fitted, const ModelAmbiguity& question,
                            const NextPosesOptions& options = {});
 
-/// Whether they are worth taking: "With them the evidence that .. becomes 2.1 times stronger." Below `worthTaking` it
-/// says that they hardly help.
+/// Whether they are worth taking: "With them the evidence for or against becomes 2.1 times stronger." Below
+/// `worthTaking` it says that they hardly help.
 std::string whatTheyTell(const NextPoses& next);
 
 /// Growth of the evidence below which poses hardly help: a prediction of the growth is true to 15 % (tests).

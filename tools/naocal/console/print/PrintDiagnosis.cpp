@@ -177,9 +177,9 @@ void printNextPoses(const NextPoses& next, GivenOptions asked, const std::string
   }
   asked.sets.emplace_back("FURTHER-SET");
   asked.samePlace = true;
-  printText("\n{} holds {} poses. {} {}, then:\n"
+  printText("\n{} holds {} poses. Measuring in them {}. {} {}, then:\n"
             "  naocal diagnose {}\n",
-            file, next.poses.size(), whatTheyTell(next), howToTake(next), asked.commandLine());
+            file, next.poses.size(), next.why, whatTheyTell(next), howToTake(next), asked.commandLine());
 }
 
 } // namespace naocal
