@@ -5,9 +5,9 @@
 #include "simulation/SimulatedPictures.hpp"
 
 #include "TemporaryFolder.hpp"
+#include "simulation/CornersByName.hpp"
 
 #include <catch2/catch.hpp>
-#include <map>
 
 using namespace naocal;
 
@@ -21,16 +21,6 @@ RobotScene k1BeforeBoards() {
 
 ScenePlan pictures(std::vector<std::string> flaws) {
   return {.poses = 5, .samples = 1, .offsetRange = 0.05, .mountRange = 0.02, .flaws = std::move(flaws), .images = true};
-}
-
-std::map<std::pair<std::string, int>, Eigen::Vector2d> byName(const std::vector<BoardCorners>& boards) {
-  std::map<std::pair<std::string, int>, Eigen::Vector2d> corners;
-  for (const BoardCorners& board : boards) {
-    for (std::size_t i = 0; i < board.ids.size(); ++i) {
-      corners[{board.board, board.ids[i]}] = board.uv[i];
-    }
-  }
-  return corners;
 }
 
 std::string refusal(const RobotScene& scene, const std::string& flaw) {

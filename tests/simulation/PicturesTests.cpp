@@ -4,26 +4,12 @@
 #include "simulation/StandingPoses.hpp"
 
 #include "TemporaryFolder.hpp"
+#include "simulation/CornersByName.hpp"
 #include "simulation/HandMadePoses.hpp"
 
 #include <catch2/catch.hpp>
-#include <map>
 
 using namespace naocal;
-
-namespace {
-
-std::map<std::pair<std::string, int>, Eigen::Vector2d> byName(const std::vector<BoardCorners>& boards) {
-  std::map<std::pair<std::string, int>, Eigen::Vector2d> corners;
-  for (const BoardCorners& board : boards) {
-    for (std::size_t i = 0; i < board.ids.size(); ++i) {
-      corners[{board.board, board.ids[i]}] = board.uv[i];
-    }
-  }
-  return corners;
-}
-
-} // namespace
 
 TEST_CASE("corners found in the rendered pictures are those that the simulation would have given", "[slow]") {
   // Proves that pictures and corners show the same scene: the same boards, positions to 0.25 px, and that the simulated
