@@ -271,14 +271,17 @@ Measurements observeEverything(const Robot& robot, const ThesisScene& scenery, c
 
 } // namespace
 
+double cornerNoise(const ThesisSetting& setting, double pixel) {
+  return pixel / std::sqrt(static_cast<double>(copiesOf(setting.feature)));
+}
+
 Noise thesisNoise(const ThesisSetting& setting, double pixel) {
   const double noPixelNoise = setting.angleNoise() ? 0.03 : 0.01; // [px]
   const double rounding =
       setting.likeProgram() ? 0 : encoderStep / std::sqrt(isDithered(setting) ? 6.0 : 12.0); // one uniform error, or
                                                                                              // the sum of two
   const double sharing = setting.likeProgram() ? static_cast<double>(setting.samples) : 1;
-  const double corners = pixel * std::sqrt(sharing / static_cast<double>(copiesOf(setting.feature)));
-  return {.pixel = setting.pixelNoise() ? corners : noPixelNoise,
+  return {.pixel = setting.pixelNoise() ? cornerNoise(setting, pixel) * std::sqrt(sharing) : noPixelNoise,
           .encoder = setting.angleNoise() ? std::hypot(angleSigma(setting.jointNoise), rounding) : 0,
           .pose = setting.angleNoise() && setting.jointNoise == AngleNoise::stiction ? stiction : 0};
 }

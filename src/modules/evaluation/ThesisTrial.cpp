@@ -311,9 +311,9 @@ void ThesisTrial::draw(std::uint64_t seed, std::size_t number) {
   const std::string set = fmt::format("thesis set {}", number);
   RandomStream measuring{seed, set + ", measured"};
   drawTruth(seed, number);
-  const double pixel = pixel_ / std::sqrt(static_cast<double>(copiesOf(setting_.feature)));
   stage_.simulate(
-      truth_, [&](double angle) { return readAngle(angle, setting_, measuring); }, pixel, measuring, taken_);
+      truth_, [&](double angle) { return readAngle(angle, setting_, measuring); }, cornerNoise(setting_, pixel_),
+      measuring, taken_);
   pixels_.emplace(taken_, plainModel_, onePixel);
   whitened_.emplace(taken_, ourModel_, noise_);
   if (!setting_.angleNoise()) {
