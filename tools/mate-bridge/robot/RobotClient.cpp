@@ -167,6 +167,8 @@ void RobotSocket::connectTo(const Socket::endpoint_type& endpoint) {
       self->end(fmt::format("cannot be reached ({})", error.message()));
       return;
     }
+    Error isLocal;
+    self->socket_.set_option(boost::asio::ip::tcp::no_delay{true}, isLocal); // no request waits for acknowledgments
     self->patience_.cancel();
     self->calls_.connected();
     self->readHeader();

@@ -115,7 +115,10 @@ WebSocketSession::WebSocketSession(boost::beast::tcp_stream stream, Received rec
 
 void WebSocketSession::accept(const boost::beast::http::request<boost::beast::http::empty_body>& request,
                               std::function<void()> opened) {
-  boost::beast::get_lowest_layer(socket_).expires_never();
+  auto& stream = boost::beast::get_lowest_layer(socket_);
+  stream.expires_never();
+  boost::beast::error_code gone;
+  stream.socket().set_option(Tcp::no_delay{true}, gone); // no answer waits for the browser's acknowledgment
   socket_.set_option(
       boost::beast::websocket::stream_base::timeout::suggested(boost::beast::role_type::server)); // enables pings
   socket_.read_message_max(mostPanelMessage);
