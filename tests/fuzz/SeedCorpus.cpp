@@ -7,13 +7,12 @@
 #include "dialects/ModelCalibration.hpp"
 #include "estimation/ModelBuilder.hpp"
 #include "estimation/ModelFile.hpp"
+#include "fuzz/SmallSet.hpp"
 #include "hardware/nao/LolaTwin.hpp"
 #include "io/Files.hpp"
 #include "io/GreyImage.hpp"
 #include "io/JsonReader.hpp"
 #include "protocol/Frames.hpp"
-#include "simulation/Simulation.hpp"
-#include "simulation/StandingPoses.hpp"
 
 #include "recordings/McapWriter.hpp"
 #include "recordings/TestArm.hpp"
@@ -35,13 +34,6 @@ void writeSeed(const std::string& reader, const std::string& name, const std::st
 
 Json readJson(const std::string& file) {
   return parseJson(readFile(source / file), file);
-}
-
-CaptureSet smallSet(const Robot& robot) {
-  SimulationPlan plan;
-  plan.poses = planStandingPoses(robot, plan, SupportFoot::left, 3, 1);
-  plan.samples = 1;
-  return simulate(robot, plan, 1).set;
 }
 
 void writeCaptureSets(CaptureSet set) {
@@ -165,7 +157,11 @@ void writeBrowsers() {
 {"do": "stand", "number": 2, "angles": {"HeadYaw": 0.1, "LKneePitch": 0.4}}
 {"do": "check", "number": 3, "effect": {"name": "cable", "at": "*", "correction": "a*q", "unknowns": {"a": {"unit": "1", "sigma": 0.1}}}}
 {"do": "add", "label": "elasticity@LKneePitch"}
-{"do": "goTo", "rung": 1}
+{"do": "goTo", "rung": 0}
+{"do": "define", "effect": {"name": "cable"}}
+{"do": "drop", "label": "jointOffset@HeadYaw"}
+{"do": "search"}
+{"do": "cancel"}
 {"do": "propose", "count": 3}
 {"do": "make", "file": "result.json"}
 {"do": "watch", "robot": "nao21"}
@@ -174,6 +170,15 @@ void writeBrowsers() {
 {"do": "disconnect", "robot": "nao21"}
 {"do": "endRun"}
 )");
+  const std::string effect =
+      R"("effect": {"name": "cable", "at": "LKneePitch", "correction": "a*q", "unknowns": {"a": {"unit": "1", "sigma": 0.1}}}})";
+  writeSeed("analysis", "effect-of-ones-own", R"({"do": "check", )" + effect + "\n" + R"({"do": "define", )" + effect);
+  writeSeed("analysis", "add-and-drop",
+            "{\"do\": \"add\", \"label\": \"elasticity@LKneePitch\"}\n{\"do\": \"drop\", \"label\": "
+            "\"jointOffset@HeadYaw\"}");
+  writeSeed("analysis", "back",
+            "{\"do\": \"drop\", \"label\": \"cameraRotation@top\"}\n{\"do\": \"goTo\", \"rung\": 0}");
+  writeSeed("analysis", "file", "{\"do\": \"goTo\", \"rung\": 0}\n{\"do\": \"make\", \"file\": \"result.json\"}");
   writeSeed("http", "page",
             "GET {path}picture/a%20b?x=1 HTTP/1.1\r\nHost: {host}\r\nSec-Fetch-Site: same-origin\r\n\r\n");
   writeSeed("http", "live",

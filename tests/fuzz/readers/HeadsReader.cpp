@@ -3,6 +3,7 @@
 #include "fuzz/driver/Reader.hpp"
 #include "io/InputError.hpp"
 
+#include <optional>
 #include <stdexcept>
 
 namespace naocal {
@@ -30,17 +31,22 @@ std::vector<MadeFor> everyDialect() {
 }
 
 /// The input as a file of every dialect of heads. What is accepted is written, read again, and written the same.
+/// Refused if all refuse it.
 void readAsHeads(std::string_view bytes) {
   static const std::vector<MadeFor> all = everyDialect();
   const std::string text{bytes};
+  std::optional<InputError> refusal;
+  bool isRead = false;
   for (const auto& [dialect, robot, drawn, turned] : all) {
     std::string written;
     try {
       (void)dialect.parse(text, fileName, robot, drawn);
       written = dialect.write(text, fileName, robot, turned);
-    } catch (const InputError&) { // refused; another dialect may read it
+    } catch (const InputError& error) { // another dialect may read it
+      refusal = error;
       continue;
     }
+    isRead = true;
     try {
       (void)dialect.parse(written, fileName, robot, drawn);
     } catch (const InputError& error) {
@@ -49,6 +55,9 @@ void readAsHeads(std::string_view bytes) {
     if (dialect.write(written, fileName, robot, turned) != written) {
       throw std::logic_error{"written twice, not the same"};
     }
+  }
+  if (!isRead && refusal) {
+    throw *refusal;
   }
 }
 

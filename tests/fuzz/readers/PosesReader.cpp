@@ -13,6 +13,7 @@ void readPoses(std::string_view bytes) {
   const MemoryFile file{bytes};
   try {
     readAnglesFile(file.path(), robot);
+    return;
   } catch (const InputError&) { // it may still be the other format
   }
   readPoseFile(file.path(), robot);
