@@ -9,6 +9,7 @@
 #include <boost/beast/core/flat_buffer.hpp>
 #include <boost/beast/websocket/stream.hpp>
 #include <csignal>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
 #include <thread>
