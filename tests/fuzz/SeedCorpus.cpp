@@ -7,12 +7,13 @@
 #include "dialects/ModelCalibration.hpp"
 #include "estimation/ModelBuilder.hpp"
 #include "estimation/ModelFile.hpp"
-#include "fuzz/SmallSet.hpp"
 #include "hardware/nao/LolaTwin.hpp"
 #include "io/Files.hpp"
 #include "io/GreyImage.hpp"
 #include "io/JsonReader.hpp"
 #include "protocol/Frames.hpp"
+#include "simulation/Simulation.hpp"
+#include "simulation/StandingPoses.hpp"
 
 #include "recordings/McapWriter.hpp"
 #include "recordings/TestArm.hpp"
@@ -34,6 +35,13 @@ void writeSeed(const std::string& reader, const std::string& name, const std::st
 
 Json readJson(const std::string& file) {
   return parseJson(readFile(source / file), file);
+}
+
+CaptureSet smallSet(const Robot& robot) {
+  SimulationPlan plan;
+  plan.poses = planStandingPoses(robot, plan, SupportFoot::left, 3, 1);
+  plan.samples = 1;
+  return simulate(robot, plan, 1).set;
 }
 
 void writeCaptureSets(CaptureSet set) {

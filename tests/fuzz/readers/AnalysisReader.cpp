@@ -1,7 +1,7 @@
 #include "analysis/AnalysisSession.hpp"
-#include "fuzz/SmallSet.hpp"
+#include "data/CaptureSetFile.hpp"
 #include "fuzz/driver/Reader.hpp"
-#include "io/InputError.hpp"
+#include "io/Files.hpp"
 #include "protocol/BoundedJson.hpp"
 
 #include <nlohmann/json.hpp>
@@ -16,7 +16,8 @@ constexpr int mostChanges = 2; // of an input; each is a fit
 
 AnalysisSession openCaptures() {
   static const Robot robot = loadRobot(configurationDirectory(), "V6");
-  static const CaptureSet set = smallSet(robot);
+  const auto seed = std::filesystem::path{NAOCAL_SOURCE_DIR} / "tests/fuzz/corpus/capture-set/seed-simulated";
+  static const CaptureSet set = parseCaptureSet(readFile(seed), "captures.json").set;
   return {Dataset{.sets = {set}, .robot = robot}, [](const std::string&, const Json&) {}};
 }
 
@@ -44,7 +45,7 @@ bool handleMessage(AnalysisSession& session, const Json& message) {
   return true;
 }
 
-/// Every line is a message of a page about a few captures. The first one that is refused ends the input.
+/// Every line is a message of a page about two captures. The first one that is refused ends the input.
 void analyse(std::string_view bytes) {
   AnalysisSession session = openCaptures();
   int changes = 0;

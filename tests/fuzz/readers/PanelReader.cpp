@@ -26,6 +26,9 @@ public:
   Page() {
     std::signal(SIGINT, SIG_DFL); // the panel waits for it; a user who ends the fuzzer means the fuzzer
     std::signal(SIGTERM, SIG_DFL);
+    sigset_t alarm{}; // libFuzzer's clock, which would interrupt reads; the panel's thread takes it
+    sigaddset(&alarm, SIGALRM);
+    pthread_sigmask(SIG_BLOCK, &alarm, nullptr);
     const std::string address = panel_.address(), host = address.substr(7, address.find('/', 7) - 7);
     boost::asio::connect(socket_.next_layer(),
                          boost::asio::ip::tcp::resolver{context_}.resolve("127.0.0.1", host.substr(10)));
