@@ -88,7 +88,7 @@ TEST_CASE("p-values of a complete model whose scatter is estimated as zero are u
   for (std::uint64_t seed = 1; seed <= sets; ++seed) {
     RandomProblem drawn{seed};
     drawn.measure(truth);
-    const Noise noise = estimateNoiseLevels(drawn.problem(), truth, {}).noise;
+    const Noise noise = estimateNoiseLevels(drawn.problem(), truth, {}, {}).noise;
     if (noise.pose == 0) {
       atBoundary.push_back(computeEvidence(drawn.problem(), noise, 199, seed).pValue);
     }

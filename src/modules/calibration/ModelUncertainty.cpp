@@ -10,6 +10,7 @@
 #include "math/LinearAlgebra.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <iterator>
@@ -123,6 +124,23 @@ Eigen::VectorXd startOf(const Model& larger, const Model& own, const Model& alon
   return result;
 }
 
+/// Marks effects that may differ between readings of one pose: by their drivers, not by the posture.
+std::vector<bool> markVarying(const std::vector<Term>& terms) {
+  constexpr std::array postures{Driver::angle,    Driver::torque,   Driver::torqueGrowth,
+                                Driver::lateral1, Driver::lateral2, Driver::com};
+  const auto isOfPosture = [&](Driver driver) {
+    return std::find(postures.begin(), postures.end(), driver) != postures.end();
+  };
+  std::vector<bool> result;
+  for (const Term& term : terms) {
+    const Effect& effect = term.effect;
+    result.push_back(!std::all_of(effect.drivers.begin(), effect.drivers.end(), isOfPosture) ||
+                     !std::all_of(effect.remoteDrivers.begin(), effect.remoteDrivers.end(),
+                                  [&](const RemoteDriver& remote) { return isOfPosture(remote.driver); }));
+  }
+  return result;
+}
+
 /// Name of a group of columns: "elasticity@LKneePitch", or for a curve "LKneePitch over q".
 std::string formatGroup(const WideModel& wide, std::size_t group) {
   if (group < wide.candidates().size()) {
@@ -153,7 +171,7 @@ public:
       return {noise, {}};
     }
     const WideModel wide{measurements_, own, putInFront(effects, candidates_), pointOf(fit), false};
-    return estimateNoiseLevels(wide.problem(), noise, *repeats_,
+    return estimateNoiseLevels(wide.problem(), noise, *repeats_, markVarying(wide.candidates()),
                                [&](const Noise& level) { return costExplanations(wide, level); });
   }
   /// Fit accurate enough to linearise at.

@@ -61,8 +61,18 @@ double computeDeviance(const Candidates& all, double kappa) {
          2 * static_cast<double>(all.score.size()) * std::log(kappa) - all.score.dot(factor.solve(all.score));
 }
 
-/// D(level) of the widest model (`estimateNoiseLevels`).
-double wideDeviance(const ScoreProblem& problem, const Noise& noise, const SparseCosts& sparse = {}) {
+/// 1 for the columns of the named groups that take part, 0 for the others.
+Eigen::VectorXd markColumns(const ScoreProblem& problem, const std::vector<bool>& takesPart, Eigen::Index count) {
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(count);
+  for (std::size_t group = 0; group < problem.named; ++group) {
+    result.segment(problem.groups[group].first, problem.groups[group].count).setConstant(takesPart[group] ? 1 : 0);
+  }
+  return result;
+}
+
+/// D(level) of the widest model (`estimateNoiseLevels`) with the named groups that take part.
+double wideDeviance(const ScoreProblem& problem, const Noise& noise, const std::vector<bool>& takesPart,
+                    const SparseCosts& sparse = {}) {
   constexpr std::array kappas{0.1, 0.2, 0.4, 0.7, 1.0, 1.5, 2.5};
   const PoseResiduals measured = measuredResiduals(*problem.poses);
   const NullModel alone{problem, noise};
@@ -70,7 +80,7 @@ double wideDeviance(const ScoreProblem& problem, const Noise& noise, const Spars
   const ScoreTest tests{alone};
   const ColumnGroup last = problem.named > 0 ? problem.groups[problem.named - 1] : ColumnGroup{};
   const Eigen::Index count = last.first + last.count; // without curves, which would fit scatter
-  const Eigen::VectorXd plausible = problem.plausible.head(count);
+  const Eigen::VectorXd plausible = problem.plausible.head(count).cwiseProduct(markColumns(problem, takesPart, count));
   const Candidates all{plausible.cwiseProduct(tests.projectedScores(measured, outcome.own).col(0).head(count)),
                        plausible.asDiagonal() * tests.information().topLeftCorner(count, count) *
                            plausible.asDiagonal()};
@@ -90,8 +100,8 @@ struct LevelCurve {
   std::vector<double> levels, deviances;
 
   LevelCurve(const ScoreProblem& problem, const Noise& noise, double Noise::*level, bool penalised,
-             SparseCosts sparse = {})
-      : sparse_{std::move(sparse)} {
+             std::vector<bool> takesPart, SparseCosts sparse = {})
+      : takesPart_{std::move(takesPart)}, sparse_{std::move(sparse)} {
     add(problem, noise, level, penalised,
         {0, radians(0.01), radians(0.02), radians(0.03), radians(0.045), radians(0.065), radians(0.09), radians(0.12),
          mostScatter});
@@ -148,7 +158,7 @@ private:
     parallelFor(further.size(), [&](std::size_t i) {
       Noise there = noise;
       there.*level = further[i];
-      found[i] = wideDeviance(problem, there, sparse_) + (penalised ? poseNoisePenalty(further[i]) : 0);
+      found[i] = wideDeviance(problem, there, takesPart_, sparse_) + (penalised ? poseNoisePenalty(further[i]) : 0);
     });
     for (std::size_t i = 0; i < further.size(); ++i) {
       const auto place = std::upper_bound(levels.begin(), levels.end(), further[i]) - levels.begin();
@@ -157,6 +167,7 @@ private:
     }
   }
 
+  std::vector<bool> takesPart_;
   SparseCosts sparse_;
 };
 
@@ -168,23 +179,24 @@ double poseNoisePenalty(double level) {
 }
 
 NoiseLevels estimateNoiseLevels(const ScoreProblem& wide, const Noise& noise, const RepeatInfo& repeated,
-                                const SparseCosts& sparse) {
+                                const std::vector<bool>& varies, const SparseCosts& sparse) {
   const EffectsOnly effects{wide};
   const ScoreProblem& problem = effects.problem();
+  const std::vector<bool> every(problem.named, true);
   NoiseLevels result{noise, {}};
   result.noise.reapproach = result.noise.stance = 0;
   Noise within = result.noise; // uses only differences within poses
   within.pose = unbound;
   if (repeated.reapproached) {
     within.stance = repeated.restood ? unbound : 0; // with new stances: only differences within a stance
-    within.reapproach = LevelCurve{problem, within, &Noise::reapproach, false}.peak();
+    within.reapproach = LevelCurve{problem, within, &Noise::reapproach, false, varies}.peak();
   }
   if (repeated.restood) {
-    within.stance = LevelCurve{problem, within, &Noise::stance, true}.peak();
+    within.stance = LevelCurve{problem, within, &Noise::stance, true, every}.peak();
   }
   result.noise.reapproach = within.reapproach;
   result.noise.stance = within.stance;
-  const LevelCurve curve{problem, result.noise, &Noise::pose, true, repeated.none ? sparse : SparseCosts{}};
+  const LevelCurve curve{problem, result.noise, &Noise::pose, true, every, repeated.none ? sparse : SparseCosts{}};
   result.noise.pose = curve.peak();
   const std::vector<double> weights = curve.weights();
   for (std::size_t i = 0; i < weights.size(); ++i) {
@@ -202,8 +214,9 @@ bool isPoseNoiseAtBoundary(const ScoreProblem& wide, const Noise& noise) {
   Noise none = noise, least = noise;
   none.pose = 0;
   least.pose = leastScatter;
-  return wideDeviance(effects.problem(), none) <=
-         wideDeviance(effects.problem(), least) + poseNoisePenalty(leastScatter);
+  const std::vector<bool> every(effects.problem().named, true);
+  return wideDeviance(effects.problem(), none, every) <=
+         wideDeviance(effects.problem(), least, every) + poseNoisePenalty(leastScatter);
 }
 
 } // namespace naocal

@@ -57,14 +57,16 @@ using SparseCosts = std::function<ExplanationCosts(const Noise&)>;
 ///
 /// D_alone the restricted deviance without candidates, z and S score and information of the candidates, the own
 /// unknowns projected out. Re-approach and stance noise follow from differences within poses (pose noise
-/// unconstrained): re-approach only if `repeated.reapproached`, stance only if `repeated.restood`.
+/// unconstrained): re-approach only if `repeated.reapproached`, stance only if `repeated.restood`. Beside re-approach
+/// noise stand only the candidates that `varies` marks, one per named group: effects of the posture alone are the same
+/// at every approach. Their columns differ there by the errors of the readings, which a joint's gain of -1 would hide.
 /// `noise` gives the pixel and encoder levels, which stay fixed. Curves of the problem are excluded, since they would
 /// fit scatter.
 /// With few poses the random effects gamma are as flexible as scatter, which then takes the place of one or two large
 /// effects. Where no pose is repeated, `sparse` stands beside them: the more likely of the two counts at each level.
 /// The random effects then come on top of the effects fitted at the linearisation point, and bear their cost.
 NoiseLevels estimateNoiseLevels(const ScoreProblem& wide, const Noise& noise, const RepeatInfo& repeated,
-                                const SparseCosts& sparse = {});
+                                const std::vector<bool>& varies, const SparseCosts& sparse = {});
 
 /// Whether the data estimate the pose noise at its boundary, zero: D(0) <= D(leastScatter), the penalty included.
 /// `noise`: the other levels.
