@@ -1,3 +1,5 @@
+#include "calibration/Fit.hpp"
+#include "calibration/ReadingErrors.hpp"
 #include "calibration/result/CalibrationResult.hpp"
 #include "diagnosis/Diagnosis.hpp"
 #include "io/Files.hpp"
@@ -9,6 +11,7 @@
 #include "TemporaryFolder.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
@@ -150,6 +153,37 @@ TEST_CASE("an arm that touches known places solves to its true offsets") {
 TEST_CASE("an arm that touches places with known distances solves to its true offsets") {
   // Proves the same where places are estimated, but for the first joint, whose zero looks like where the places are.
   checkOffsets(TouchingArm{measuredPlaces}.simulate({.poses = 60, .samples = 1, .seed = 2}), 1);
+}
+
+TEST_CASE("a fit at a smaller noise of contacts takes no touch for an outlier") {
+  // Proves that the joints' errors follow the noise of readings: those of a fit at a looser noise would leave touches
+  // that encoders round more coarsely than they are exact so far from their places that a robust loss gives them no
+  // weight.
+  constexpr double step = 2 * M_PI / 4096; // [rad], of `Noise::encoder`
+  TouchingArm arm{knownPlaces};
+  arm.scene.noise.encoder = 0;
+  arm.scene.set.instruments.contactSigma = 1e-5;
+  CaptureSet set = arm.simulate({.poses = 45, .samples = 1, .seed = 5}).set;
+  set.instruments.contactSigma.reset();
+  for (const TouchingStep& joint : touchingSteps) {
+    set.encoderSteps[joint.joint] = step;
+  }
+  for (Capture& capture : set.captures) {
+    for (double& angle : capture.joints.measured) {
+      angle = step * std::round(angle / step);
+    }
+  }
+  const Measurements measurements = buildMeasurements({set}, loadRobot(set));
+  const Model model = buildModel(measurements);
+  REQUIRE(measurements.levels.size() == 1);
+  const Noise loose{.readings = {0.01}}, exact{.readings = {1e-5}};
+  const Fit first = fitInitially(measurements, model, loose, {});
+  const Fit then = refit(measurements, model, exact, Loss{1}, first);
+  const Residuals residuals{measurements, model, exact, then.loss};
+  const std::vector<double> distances =
+      scaledDistances(measurements, residuals.witnessResiduals(then.minimum.state), exact);
+  CHECK(distances.size() == 45);
+  CHECK(*std::max_element(distances.begin(), distances.end()) < Loss::inner * exact.pixel);
 }
 
 TEST_CASE("touches miss a place by the noise of contacts") {

@@ -193,10 +193,11 @@ Fit refit(const Measurements& measurements, const Model& model, const Noise& noi
   const Residuals residuals{measurements, model, noise, loss};
   Residuals::State start = residuals.startState(from.minimum.state.unknowns);
   if (from.noise.encoder == noise.encoder && from.noise.pose == noise.pose && from.noise.stance == noise.stance &&
-      from.noise.reapproach == noise.reapproach) {
+      from.noise.reapproach == noise.reapproach && from.noise.readings == noise.readings) {
     start.deflections = from.minimum.state.deflections;
   } else {
-    // deflections are in units of their sigma, which has changed: one quadratic step at the same unknowns
+    // Deflections are in units of their sigma, or fit readings too loosely for their noise, so that a robust loss would
+    // take these for outliers: one quadratic step at the same unknowns.
     const Residuals quadratic{measurements, model, noise};
     if (const auto linear = quadratic.linearize(start)) {
       start = quadratic.applyStep(start, *linear, Eigen::VectorXd::Zero(from.minimum.state.unknowns.size()));
