@@ -157,6 +157,18 @@ std::vector<std::size_t> rankLikely(const CandidateTests& candidateTests, double
   return result;
 }
 
+/// Where candidates are striking, they raise the alarm, and those that are not do not explain it.
+void keepStriking(const CandidateTests& candidateTests, std::vector<std::size_t>& likely) {
+  const double critical = candidateTests.evidence().criticalP;
+  const auto isStriking = [&](std::size_t candidate) {
+    return candidateTests.candidateEvidence(candidate).pValue <= critical;
+  };
+  const std::vector<std::size_t> all = candidateTests.candidatesByEvidence();
+  if (std::any_of(all.begin(), all.end(), isStriking)) {
+    std::erase_if(likely, std::not_fn(isStriking));
+  }
+}
+
 } // namespace
 
 std::vector<CandidateFinding> judgeCandidates(std::vector<CandidateFinding> findings, const CandidateTests& last,
@@ -369,13 +381,15 @@ StepwiseSelection::Nearly StepwiseSelection::fitModelNearly(const Model& model, 
 }
 
 double StepwiseSelection::leastEvidence(const CandidateTests& candidateTests) const {
-  const bool isFirst = added_.size() <= options_.with.size();
-  return isFirst ? 0 : 2 * std::log(std::max<double>(1, static_cast<double>(candidateTests.candidates().size())));
+  return isFirst() ? 0 : 2 * std::log(std::max<double>(1, static_cast<double>(candidateTests.candidates().size())));
 }
 
 std::vector<std::size_t> StepwiseSelection::shortlistCandidates(const CandidateTests& candidateTests) const {
   constexpr std::size_t most = 4;
-  const std::vector<std::size_t> likely = rankLikely(candidateTests, leastEvidence(candidateTests));
+  std::vector<std::size_t> likely = rankLikely(candidateTests, leastEvidence(candidateTests));
+  if (isFirst()) {
+    keepStriking(candidateTests, likely);
+  }
   const auto lasting = std::find_if(likely.begin(), likely.end(), [&](std::size_t candidate) {
     return !isTransient(candidateTests.candidates()[candidate].effect);
   });

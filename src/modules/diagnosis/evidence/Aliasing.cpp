@@ -69,8 +69,10 @@ std::vector<std::size_t> findEquivalents(const CandidateTests& candidateTests, s
       continue;
     }
     const double byData = best.likelihoodRatio - other.likelihoodRatio;
-    const double behind = onlyData ? std::min(best.bayes - other.bayes, byData) : best.bayes - other.bayes;
-    if (behind >= threshold::maxEvidenceGap) {
+    const double byBoth = std::min(best.bayes - other.bayes, byData);
+    const double behind = onlyData ? byBoth : best.bayes - other.bayes;
+    const bool isWider = other.freedom > best.freedom; // only its prior speaks against it if it explains as much
+    if ((isWider ? byBoth : behind) >= threshold::maxEvidenceGap) {
       continue;
     }
     const double like = canonicalCorrelation(candidateTests.evidence().information, groups[chosen], groups[i]);

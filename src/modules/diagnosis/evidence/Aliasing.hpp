@@ -28,8 +28,9 @@ double canonicalCorrelation(const Eigen::MatrixXd& information, const ColumnGrou
 double evidenceToSeparate(double correlation);
 
 /// Candidates that these captures cannot distinguish from `chosen`: almost as likely, or so correlated that chance may
-/// account for the gap (`evidenceToSeparate`). Prior sizes count, unless the chosen effect's size is implausible. A
-/// significant candidate with a different signature is present in its own right and not an alternative.
+/// account for the gap (`evidenceToSeparate`). Prior sizes count, unless the chosen effect's size is implausible, or
+/// the other has more unknowns, among them what the chosen one does: an axis that is tilted is a part of a link's
+/// geometry. A significant candidate with a different signature is present in its own right and not an alternative.
 std::vector<std::size_t> findEquivalents(const CandidateTests& candidateTests, std::size_t chosen);
 
 } // namespace naocal
