@@ -84,6 +84,16 @@ const MachineFamily& machineFamily(const std::string& effect) {
   throw std::runtime_error{fmt::format("no effect is named {}", effect)};
 }
 
+/// Whether gravity holds the joint's gear at one end of a gap in every reading: backlash. Where its load is smaller
+/// than the friction, the last motion decides: that is gearPlay, or hysteresis without any load.
+bool isLoaded(const WorkcellQuestion& question, std::size_t joint) {
+  const MachineBody body = bodyOf(question.cell);
+  return std::all_of(question.session.begin(), question.session.end(), [&](const WorkcellReading& reading) {
+    const VectorXd load = body.torques(body.settled(linkAngles(question.cell, reading)));
+    return std::abs(load[static_cast<Index>(joint)]) > question.cell.flaws.joints[joint].gapFriction;
+  });
+}
+
 /// Hides the flaw of an item; false if the question does not allow its size. `patience`: grows from 0 to 1 with the
 /// attempts.
 bool hideFlaw(const WorkcellItem& item, double patience, WorkcellQuestion& question, RandomStream& chance) {
@@ -91,6 +101,9 @@ bool hideFlaw(const WorkcellItem& item, double patience, WorkcellQuestion& quest
   const MachineFamily& family = machineFamily(item.kind);
   const auto joint = static_cast<std::size_t>(chance.below(static_cast<int>(question.machine->joints.size())));
   if (!family.ofTracker && question.machine->joints[joint].slides) {
+    return false;
+  }
+  if (family.effect == "backlash" && !isLoaded(question, joint)) {
     return false;
   }
   const VectorXd without = stackMeasurements(question.cell, question.session);
