@@ -23,7 +23,7 @@ long peakMemory() { // [MiB]
 }
 
 void abortSlowRead(int) { // async-signal-safe
-  constexpr std::string_view sentence = "a read takes longer than 2 s of processor time, or 60 s\n";
+  constexpr std::string_view sentence = "a read takes longer than its processor time, or 60 s\n";
   [[maybe_unused]] const ssize_t count = ::write(STDERR_FILENO, sentence.data(), sentence.size());
   std::abort();
 }
@@ -31,7 +31,7 @@ void abortSlowRead(int) { // async-signal-safe
 /// Aborts the process unless it is destroyed in time. SIGALRM stays libFuzzer's.
 class Deadline {
 public:
-  Deadline() {
+  explicit Deadline(int longestRead) {
     struct sigaction action {};
     action.sa_handler = abortSlowRead;
     ::sigaction(SIGPROF, &action, nullptr);
@@ -71,7 +71,7 @@ std::string typeName(const std::exception& error) {
 std::optional<std::string> findFault(const Reader& reader, std::string_view bytes, long growth) {
   const long before = peakMemory();
   try {
-    const Deadline deadline;
+    const Deadline deadline{reader.longest()};
     reader.read(bytes);
   } catch (const InputError& error) {
     if (std::string_view{error.what()}.empty()) {

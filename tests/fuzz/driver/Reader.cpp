@@ -10,7 +10,7 @@ std::vector<const Reader*>& registered() {
 
 } // namespace
 
-Reader::Reader(std::string name, Read read) : name_{std::move(name)}, read_{read} {
+Reader::Reader(std::string name, Read read, int longest) : name_{std::move(name)}, read_{read}, longest_{longest} {
   registered().push_back(this);
 }
 

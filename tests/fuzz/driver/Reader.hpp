@@ -12,13 +12,14 @@ class Reader {
 public:
   using Read = void (*)(std::string_view bytes);
 
-  /// Registers itself for the program's lifetime.
-  Reader(std::string name, Read read);
+  /// Registers itself for the program's lifetime. `longest`: processor time of one read of all threads [s].
+  Reader(std::string name, Read read, int longest = 2);
   Reader(const Reader&) = delete;
   Reader& operator=(const Reader&) = delete;
 
   const std::string& name() const { return name_; }
   void read(std::string_view bytes) const { read_(bytes); }
+  int longest() const { return longest_; }
 
   /// All readers of this program, in no particular order.
   static const std::vector<const Reader*>& all();
@@ -26,6 +27,7 @@ public:
 private:
   std::string name_;
   Read read_;
+  int longest_;
 };
 
 } // namespace naocal
