@@ -10,7 +10,6 @@
 #include "math/LinearAlgebra.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <iterator>
@@ -126,17 +125,9 @@ Eigen::VectorXd startOf(const Model& larger, const Model& own, const Model& alon
 
 /// Marks effects that may differ between readings of one pose: by their drivers, not by the posture.
 std::vector<bool> markVarying(const std::vector<Term>& terms) {
-  constexpr std::array postures{Driver::angle,    Driver::torque,   Driver::torqueGrowth,
-                                Driver::lateral1, Driver::lateral2, Driver::com};
-  const auto isOfPosture = [&](Driver driver) {
-    return std::find(postures.begin(), postures.end(), driver) != postures.end();
-  };
   std::vector<bool> result;
   for (const Term& term : terms) {
-    const Effect& effect = term.effect;
-    result.push_back(!std::all_of(effect.drivers.begin(), effect.drivers.end(), isOfPosture) ||
-                     !std::all_of(effect.remoteDrivers.begin(), effect.remoteDrivers.end(),
-                                  [&](const RemoteDriver& remote) { return isOfPosture(remote.driver); }));
+    result.push_back(anyDriver(term.effect, std::not_fn(followsFromAngles)));
   }
   return result;
 }

@@ -90,9 +90,9 @@ private:
   /// Whether no effect was added yet.
   bool isFirst() const { return added_.size() <= options_.with.size(); }
   /// 2 ln(Bayes factor) that a candidate must exceed. The alarm alone guards the first addition, which is one of the
-  /// candidates that raise it. A later one must
-  /// outweigh the number K of candidates that it was chosen from: 2 ln K, even odds beforehand that one of them is
-  /// there. On 200 simulated robots with two effects, half of the later additions below that were wrong.
+  /// candidates that raise it. A later one must outweigh the number K of candidates that it was chosen from: 2 ln K,
+  /// even odds beforehand that one of them is there. On 200 simulated robots with two effects, half of the later
+  /// additions below that were wrong.
   double leastEvidence(const CandidateTests& candidateTests) const;
   /// Whether the candidate predicts poses that it was not fitted to.
   bool predictsFurtherPoses(const CandidateTests& candidateTests, std::size_t candidate) const;

@@ -5,6 +5,7 @@
 #include "robot/RobotSample.hpp"
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -64,5 +65,12 @@ struct Effect {
   std::string definition = "";                           // user-defined effect: its JSON
   std::function<void(ModelState&, const RobotSample&, std::size_t at, std::span<const double> values)> correct;
 };
+
+/// Whether one of the effect's drivers, at its joint or another, meets a condition.
+template <class Condition> bool anyDriver(const Effect& effect, const Condition& meets) {
+  return std::any_of(effect.drivers.begin(), effect.drivers.end(), meets) ||
+         std::any_of(effect.remoteDrivers.begin(), effect.remoteDrivers.end(),
+                     [&](const RemoteDriver& other) { return meets(other.driver); });
+}
 
 } // namespace naocal

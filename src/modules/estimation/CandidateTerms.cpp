@@ -216,13 +216,10 @@ const char* missingInput(const Effect& effect, const std::vector<std::size_t>& j
 } // namespace
 
 bool looksAtWeight(const Term& term) {
-  const auto weighs = [](Driver driver) {
+  return anyDriver(term.effect, [](Driver driver) {
     return driver == Driver::torque || driver == Driver::com || driver == Driver::lateral1 ||
            driver == Driver::lateral2;
-  };
-  return std::any_of(term.effect.drivers.begin(), term.effect.drivers.end(), weighs) ||
-         std::any_of(term.effect.remoteDrivers.begin(), term.effect.remoteDrivers.end(),
-                     [&](const RemoteDriver& other) { return weighs(other.driver); });
+  });
 }
 
 std::optional<std::string> untestableReason(const Effect& effect, std::size_t at, const Measurements& measurements) {

@@ -12,11 +12,8 @@ namespace {
 /// Whether an effect of the model uses one of these drivers.
 bool dependsOn(const Model& model, std::initializer_list<Driver> drivers) {
   const auto isOne = [&](Driver driver) { return std::find(drivers.begin(), drivers.end(), driver) != drivers.end(); };
-  return std::any_of(model.terms().begin(), model.terms().end(), [&](const Term& term) {
-    return std::any_of(term.effect.drivers.begin(), term.effect.drivers.end(), isOne) ||
-           std::any_of(term.effect.remoteDrivers.begin(), term.effect.remoteDrivers.end(),
-                       [&](const RemoteDriver& other) { return isOne(other.driver); });
-  });
+  return std::any_of(model.terms().begin(), model.terms().end(),
+                     [&](const Term& term) { return anyDriver(term.effect, isOne); });
 }
 
 bool carries(const Robot& robot, std::size_t joint, std::size_t link) {

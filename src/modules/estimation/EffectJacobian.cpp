@@ -21,8 +21,7 @@ std::vector<RemoteDriver> drivers(const Effect& effect, std::size_t place) {
     if (look.driver == Driver::com) {
       result.push_back({look.driver, 0});
       result.push_back({look.driver, 1});
-    } else if (look.driver == Driver::angle || look.driver == Driver::torque || look.driver == Driver::torqueGrowth ||
-               look.driver == Driver::lateral1 || look.driver == Driver::lateral2) {
+    } else if (followsFromAngles(look.driver)) {
       result.push_back(look);
     }
   }

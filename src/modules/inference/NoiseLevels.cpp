@@ -36,6 +36,14 @@ public:
     problem_.groups.resize(problem_.named);
     problem_.map = &none_;
   }
+  /// Only with the marked effects: no size of another one is plausible.
+  EffectsOnly(const ScoreProblem& wide, const std::vector<bool>& marked) : EffectsOnly{wide} {
+    for (std::size_t group = 0; group < problem_.named; ++group) {
+      if (!marked[group]) {
+        problem_.plausible.segment(problem_.groups[group].first, problem_.groups[group].count).setZero();
+      }
+    }
+  }
   EffectsOnly(const EffectsOnly&) = delete; // problem_ points into this object
   EffectsOnly& operator=(const EffectsOnly&) = delete;
 
@@ -61,18 +69,8 @@ double computeDeviance(const Candidates& all, double kappa) {
          2 * static_cast<double>(all.score.size()) * std::log(kappa) - all.score.dot(factor.solve(all.score));
 }
 
-/// 1 for the columns of the named groups that take part, 0 for the others.
-Eigen::VectorXd markColumns(const ScoreProblem& problem, const std::vector<bool>& takesPart, Eigen::Index count) {
-  Eigen::VectorXd result = Eigen::VectorXd::Zero(count);
-  for (std::size_t group = 0; group < problem.named; ++group) {
-    result.segment(problem.groups[group].first, problem.groups[group].count).setConstant(takesPart[group] ? 1 : 0);
-  }
-  return result;
-}
-
-/// D(level) of the widest model (`estimateNoiseLevels`) with the named groups that take part.
-double wideDeviance(const ScoreProblem& problem, const Noise& noise, const std::vector<bool>& takesPart,
-                    const SparseCosts& sparse = {}) {
+/// D(level) of the widest model (`estimateNoiseLevels`).
+double wideDeviance(const ScoreProblem& problem, const Noise& noise, const SparseCosts& sparse = {}) {
   constexpr std::array kappas{0.1, 0.2, 0.4, 0.7, 1.0, 1.5, 2.5};
   const PoseResiduals measured = measuredResiduals(*problem.poses);
   const NullModel alone{problem, noise};
@@ -80,7 +78,7 @@ double wideDeviance(const ScoreProblem& problem, const Noise& noise, const std::
   const ScoreTest tests{alone};
   const ColumnGroup last = problem.named > 0 ? problem.groups[problem.named - 1] : ColumnGroup{};
   const Eigen::Index count = last.first + last.count; // without curves, which would fit scatter
-  const Eigen::VectorXd plausible = problem.plausible.head(count).cwiseProduct(markColumns(problem, takesPart, count));
+  const Eigen::VectorXd plausible = problem.plausible.head(count);
   const Candidates all{plausible.cwiseProduct(tests.projectedScores(measured, outcome.own).col(0).head(count)),
                        plausible.asDiagonal() * tests.information().topLeftCorner(count, count) *
                            plausible.asDiagonal()};
@@ -100,8 +98,8 @@ struct LevelCurve {
   std::vector<double> levels, deviances;
 
   LevelCurve(const ScoreProblem& problem, const Noise& noise, double Noise::*level, bool penalised,
-             std::vector<bool> takesPart, SparseCosts sparse = {})
-      : takesPart_{std::move(takesPart)}, sparse_{std::move(sparse)} {
+             SparseCosts sparse = {})
+      : sparse_{std::move(sparse)} {
     add(problem, noise, level, penalised,
         {0, radians(0.01), radians(0.02), radians(0.03), radians(0.045), radians(0.065), radians(0.09), radians(0.12),
          mostScatter});
@@ -158,7 +156,7 @@ private:
     parallelFor(further.size(), [&](std::size_t i) {
       Noise there = noise;
       there.*level = further[i];
-      found[i] = wideDeviance(problem, there, takesPart_, sparse_) + (penalised ? poseNoisePenalty(further[i]) : 0);
+      found[i] = wideDeviance(problem, there, sparse_) + (penalised ? poseNoisePenalty(further[i]) : 0);
     });
     for (std::size_t i = 0; i < further.size(); ++i) {
       const auto place = std::upper_bound(levels.begin(), levels.end(), further[i]) - levels.begin();
@@ -167,7 +165,6 @@ private:
     }
   }
 
-  std::vector<bool> takesPart_;
   SparseCosts sparse_;
 };
 
@@ -182,21 +179,21 @@ NoiseLevels estimateNoiseLevels(const ScoreProblem& wide, const Noise& noise, co
                                 const std::vector<bool>& varies, const SparseCosts& sparse) {
   const EffectsOnly effects{wide};
   const ScoreProblem& problem = effects.problem();
-  const std::vector<bool> every(problem.named, true);
   NoiseLevels result{noise, {}};
   result.noise.reapproach = result.noise.stance = 0;
   Noise within = result.noise; // uses only differences within poses
   within.pose = unbound;
   if (repeated.reapproached) {
     within.stance = repeated.restood ? unbound : 0; // with new stances: only differences within a stance
-    within.reapproach = LevelCurve{problem, within, &Noise::reapproach, false, varies}.peak();
+    const EffectsOnly varying{wide, varies};
+    within.reapproach = LevelCurve{varying.problem(), within, &Noise::reapproach, false}.peak();
   }
   if (repeated.restood) {
-    within.stance = LevelCurve{problem, within, &Noise::stance, true, every}.peak();
+    within.stance = LevelCurve{problem, within, &Noise::stance, true}.peak();
   }
   result.noise.reapproach = within.reapproach;
   result.noise.stance = within.stance;
-  const LevelCurve curve{problem, result.noise, &Noise::pose, true, every, repeated.none ? sparse : SparseCosts{}};
+  const LevelCurve curve{problem, result.noise, &Noise::pose, true, repeated.none ? sparse : SparseCosts{}};
   result.noise.pose = curve.peak();
   const std::vector<double> weights = curve.weights();
   for (std::size_t i = 0; i < weights.size(); ++i) {
@@ -214,9 +211,8 @@ bool isPoseNoiseAtBoundary(const ScoreProblem& wide, const Noise& noise) {
   Noise none = noise, least = noise;
   none.pose = 0;
   least.pose = leastScatter;
-  const std::vector<bool> every(effects.problem().named, true);
-  return wideDeviance(effects.problem(), none, every) <=
-         wideDeviance(effects.problem(), least, every) + poseNoisePenalty(leastScatter);
+  return wideDeviance(effects.problem(), none) <=
+         wideDeviance(effects.problem(), least) + poseNoisePenalty(leastScatter);
 }
 
 } // namespace naocal

@@ -47,4 +47,8 @@ enum class Driver {
   imu
 };
 
+inline bool followsFromAngles(Driver driver) {
+  return driver < Driver::approach;
+}
+
 } // namespace naocal
