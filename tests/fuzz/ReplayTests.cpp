@@ -10,7 +10,8 @@
 
 // Every test proves that a reader accepts its seeds, and that it accepts or refuses, in the documented way, everything
 // else in its corpus and 2000 random changes (100 where each costs a fit): no other exception, no crash, no more than
-// 2 s and 512 MiB. Changes are the same in every run. toolchain/fuzz searches for longer, led by coverage.
+// its time (2 s; 20 s of fits) and 512 MiB. Changes are the same in every run. toolchain/fuzz searches for longer, led
+// by coverage.
 
 namespace naocal {
 namespace {

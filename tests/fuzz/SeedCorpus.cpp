@@ -181,12 +181,12 @@ void writeBrowsers() {
   const std::string effect =
       R"("effect": {"name": "cable", "at": "LKneePitch", "correction": "a*q", "unknowns": {"a": {"unit": "1", "sigma": 0.1}}}})";
   writeSeed("analysis", "effect-of-ones-own", R"({"do": "check", )" + effect + "\n" + R"({"do": "define", )" + effect);
-  writeSeed("analysis", "add-and-drop",
-            "{\"do\": \"add\", \"label\": \"elasticity@LKneePitch\"}\n{\"do\": \"drop\", \"label\": "
-            "\"jointOffset@HeadYaw\"}");
-  writeSeed("analysis", "back",
-            "{\"do\": \"drop\", \"label\": \"cameraRotation@top\"}\n{\"do\": \"goTo\", \"rung\": 0}");
-  writeSeed("analysis", "file", "{\"do\": \"goTo\", \"rung\": 0}\n{\"do\": \"make\", \"file\": \"result.json\"}");
+  writeSeed("analysis", "add-and-drop", R"({"do": "add", "label": "elasticity@LKneePitch"}
+{"do": "drop", "label": "jointOffset@HeadYaw"})");
+  writeSeed("analysis", "back", R"({"do": "drop", "label": "cameraRotation@top"}
+{"do": "goTo", "rung": 0})");
+  writeSeed("analysis", "file", R"({"do": "goTo", "rung": 0}
+{"do": "make", "file": "result.json"})");
   writeSeed("http", "page",
             "GET {path}picture/a%20b?x=1 HTTP/1.1\r\nHost: {host}\r\nSec-Fetch-Site: same-origin\r\n\r\n");
   writeSeed("http", "live",

@@ -22,9 +22,10 @@ long peakMemory() { // [MiB]
   return usage.ru_maxrss / 1024;
 }
 
+std::string tooSlow; // sentence about the present read
+
 void abortSlowRead(int) { // async-signal-safe
-  constexpr std::string_view sentence = "a read takes longer than its processor time, or 60 s\n";
-  [[maybe_unused]] const ssize_t count = ::write(STDERR_FILENO, sentence.data(), sentence.size());
+  [[maybe_unused]] const ssize_t count = ::write(STDERR_FILENO, tooSlow.data(), tooSlow.size());
   std::abort();
 }
 
@@ -32,6 +33,7 @@ void abortSlowRead(int) { // async-signal-safe
 class Deadline {
 public:
   explicit Deadline(int longestRead) {
+    tooSlow = fmt::format("a read takes longer than {} s of processor time, or {} s\n", longestRead, longestWait);
     struct sigaction action {};
     action.sa_handler = abortSlowRead;
     ::sigaction(SIGPROF, &action, nullptr);

@@ -1,11 +1,10 @@
 #include "analysis/AnalysisSession.hpp"
 #include "data/CaptureSetFile.hpp"
 #include "fuzz/driver/Reader.hpp"
+#include "fuzz/readers/PageMessages.hpp"
 #include "io/Files.hpp"
-#include "protocol/BoundedJson.hpp"
 
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 namespace naocal {
 namespace {
@@ -16,29 +15,29 @@ constexpr int mostChanges = 2; // of an input; each is a fit
 
 AnalysisSession openCaptures() {
   static const Robot robot = loadRobot(configurationDirectory(), "V6");
-  const auto seed = std::filesystem::path{NAOCAL_SOURCE_DIR} / "tests/fuzz/corpus/capture-set/seed-simulated";
-  static const CaptureSet set = parseCaptureSet(readFile(seed), "captures.json").set;
+  static const CaptureSet set =
+      parseCaptureSet(readFile(NAOCAL_SOURCE_DIR "/tests/fuzz/corpus/capture-set/seed-simulated"), "captures.json").set;
   return {Dataset{.sets = {set}, .robot = robot}, [](const std::string&, const Json&) {}};
 }
 
 /// Does what a page's message asks for. Returns whether it may have changed the model.
 bool handleMessage(AnalysisSession& session, const Json& message) {
   const auto verb = message.value("do", Json());
-  const auto text = [&](const char* key) { return message.value(key, Json()); };
+  const auto given = [&](const char* key) { return message.value(key, Json()); };
   if (verb == "check") {
-    session.checkEffect(text("effect"));
+    session.checkEffect(given("effect"));
     return false;
   }
   if (verb == "define") {
-    session.defineEffect(text("effect"));
-  } else if (verb == "add" && text("label").is_string()) {
-    session.add(text("label"));
-  } else if (verb == "drop" && text("label").is_string()) {
-    session.drop(text("label"));
-  } else if (verb == "goTo" && text("rung").is_number_unsigned()) {
-    session.goTo(text("rung"));
-  } else if (verb == "make" && text("file").is_string()) {
-    session.generateFile(text("file"));
+    session.defineEffect(given("effect"));
+  } else if (verb == "add" && given("label").is_string()) {
+    session.add(given("label"));
+  } else if (verb == "drop" && given("label").is_string()) {
+    session.drop(given("label"));
+  } else if (verb == "goTo" && given("rung").is_number_unsigned()) {
+    session.goTo(given("rung"));
+  } else if (verb == "make" && given("file").is_string()) {
+    session.generateFile(given("file"));
   } else {
     return false;
   }
@@ -49,14 +48,10 @@ bool handleMessage(AnalysisSession& session, const Json& message) {
 void analyse(std::string_view bytes) {
   AnalysisSession session = openCaptures();
   int changes = 0;
-  std::istringstream lines{std::string{bytes}};
-  for (std::string line; std::getline(lines, line) && changes < mostChanges;) {
-    Json message;
-    try {
-      message = parseBoundedJson(line);
-    } catch (const Json::exception&) { // the bridge refuses it
+  for (const auto& [line, content] : pageMessages(bytes)) {
+    if (changes < mostChanges && content.is_object()) {
+      changes += handleMessage(session, content);
     }
-    changes += message.is_object() && handleMessage(session, message);
   }
 }
 

@@ -3,7 +3,6 @@
 #include "fuzz/driver/Reader.hpp"
 #include "io/InputError.hpp"
 
-#include <optional>
 #include <stdexcept>
 
 namespace naocal {
@@ -35,15 +34,13 @@ std::vector<MadeFor> everyDialect() {
 void readAsHeads(std::string_view bytes) {
   static const std::vector<MadeFor> all = everyDialect();
   const std::string text{bytes};
-  std::optional<InputError> refusal;
   bool isRead = false;
   for (const auto& [dialect, robot, drawn, turned] : all) {
     std::string written;
     try {
       (void)dialect.parse(text, fileName, robot, drawn);
       written = dialect.write(text, fileName, robot, turned);
-    } catch (const InputError& error) { // another dialect may read it
-      refusal = error;
+    } catch (const InputError&) { // refused; another dialect may read it
       continue;
     }
     isRead = true;
@@ -56,8 +53,8 @@ void readAsHeads(std::string_view bytes) {
       throw std::logic_error{"written twice, not the same"};
     }
   }
-  if (!isRead && refusal) {
-    throw *refusal;
+  if (!isRead) {
+    throw InputError{"expected a file of a head, found none that a dialect reads"};
   }
 }
 

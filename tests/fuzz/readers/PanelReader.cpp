@@ -1,6 +1,6 @@
 #include "Panel.hpp"
 #include "fuzz/driver/Reader.hpp"
-#include "protocol/BoundedJson.hpp"
+#include "fuzz/readers/PageMessages.hpp"
 
 #include <boost/asio/connect.hpp>
 #include <boost/asio/io_context.hpp>
@@ -11,7 +11,6 @@
 #include <csignal>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <sstream>
 #include <thread>
 
 namespace naocal {
@@ -74,14 +73,8 @@ bool reachesOut(const Json& message) {
 /// Every line is a message of a page to a bridge without captures.
 void handleMessages(std::string_view bytes) {
   static Page page;
-  std::istringstream lines{std::string{bytes}};
-  for (std::string line; std::getline(lines, line);) {
-    Json message;
-    try {
-      message = parseBoundedJson(line);
-    } catch (const Json::exception&) { // the bridge has to refuse it
-    }
-    if (!reachesOut(message)) {
+  for (const auto& [line, content] : pageMessages(bytes)) {
+    if (!reachesOut(content)) {
       page.send(line);
     }
   }
