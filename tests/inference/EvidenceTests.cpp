@@ -2,10 +2,12 @@
 #include "inference/NoiseLevels.hpp"
 
 #include <algorithm>
+#include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/normal_distribution.hpp>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 namespace naocal {
@@ -96,6 +98,34 @@ TEST_CASE("p-values of a complete model whose scatter is estimated as zero are u
   CHECK(atBoundary.size() > sets / 2);
   CHECK(atBoundary.size() < sets);
   CHECK(distanceFromUniform(atBoundary) < 1.63);
+}
+
+TEST_CASE("a Bayes factor is the likelihood ratio averaged over the sizes that the prior allows", "[fast]") {
+  const double information = 400, score = 60; // estimate 0.15 of what is plausible, three standard errors
+  double average = 0;
+  for (const auto& [width, odds] : rankingWidths) {
+    const auto weighted = [&, w = width](double size) {
+      return std::exp(score * size - information * size * size / 2 - size * size / (2 * w * w));
+    };
+    average += odds / (width * std::sqrt(2 * std::numbers::pi)) *
+               boost::math::quadrature::gauss_kronrod<double, 61>::integrate(weighted, -1.0, 1.0);
+  }
+  const double bayes =
+      computeBayesFactor(Eigen::MatrixXd::Constant(1, 1, information), Eigen::VectorXd::Constant(1, score));
+  CHECK(bayes == Approx(2 * std::log(average)).epsilon(1e-9));
+}
+
+TEST_CASE("many small unknowns together are likelier than two of them that explain a third", "[fast]") {
+  // A tracker tells the six unknowns of a link's geometry to a hundredth of what is plausible. Each is 2.6 standard
+  // errors. With the plausible width alone, evidence for the six is below zero, and the two are named.
+  const auto evidence = [](Eigen::Index unknowns) {
+    constexpr double information = 1e4, score = 260;
+    return computeBayesFactor(information * Eigen::MatrixXd::Identity(unknowns, unknowns),
+                              Eigen::VectorXd::Constant(unknowns, score));
+  };
+  CHECK(evidence(6) > threshold::veryStrong);
+  CHECK(evidence(6) > evidence(2) + threshold::equallyLikely);
+  CHECK(evidence(2) > 0);
 }
 
 } // namespace naocal

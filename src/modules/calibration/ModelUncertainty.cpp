@@ -26,7 +26,7 @@ namespace {
 bool isWide(const Eigen::ArrayXd& values, const Eigen::ArrayXd& variances) {
   const auto& [narrow, wide] = plausibleWidths;
   const Eigen::ArrayXd information = (1 / variances - 1).max(0), scores = values / variances;
-  const auto cost = [&](const PlausibleWidth& prior) {
+  const auto cost = [&](const PriorWidth& prior) {
     const double square = prior.width * prior.width;
     return ((square * information).log1p() - scores.square() / (information + 1 / square)).sum() -
            2 * std::log(prior.odds);

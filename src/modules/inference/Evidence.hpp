@@ -33,15 +33,22 @@ struct Evidence {
   double criticalP = 0;              // p-value of a single candidate at which the family-wise alarm rate is 5 %
 };
 
-/// Prior scale of coefficients in units of `plausible`, with its prior probability: usually 1, sometimes 4. With a
-/// single width, an effect of five sigma is attributed to a smaller alias that explains it nearly as well, together
-/// with the offset that distinguishes the two.
-struct PlausibleWidth {
+/// Prior scale of coefficients in units of `plausible`, with its prior probability.
+struct PriorWidth {
   double width, odds;
 };
-constexpr PlausibleWidth plausibleWidths[] = {{1, 0.8}, {4, 0.2}};
 
-/// 2 ln(Bayes factor) of coefficients ~ N(0, width^2), mixed over `plausibleWidths`, against zero coefficients:
+/// Usually what is plausible, sometimes four times as much. With a single width, an effect of five sigma is attributed
+/// to a smaller alias that explains it nearly as well, together with the offset that distinguishes the two.
+constexpr PriorWidth plausibleWidths[] = {{1, 0.8}, {4, 0.2}};
+
+/// Widths when effects compete for a misfit. They reach down to a sixteenth of what is plausible, as trackers and
+/// cameras see effects that small. With `plausibleWidths`, each of the six unknowns of a link's geometry costs
+/// 2 ln(plausible size / standard error) of evidence, and a tilted axis that explains half is named instead. Odds of
+/// 0.2 for the smallest would name causes of misfits that are far below the noise.
+constexpr PriorWidth rankingWidths[] = {{4, 0.2}, {1, 0.55}, {1.0 / 4, 0.2}, {1.0 / 16, 0.05}};
+
+/// 2 ln(Bayes factor) of coefficients ~ N(0, width^2), mixed over `rankingWidths`, against zero coefficients:
 ///   B(width) = |I + width^2 V|^-1/2 exp(s^T (V + width^-2)^-1 s / 2),
 /// with s, V the score and information in units of `plausible`.
 double computeBayesFactor(const Eigen::MatrixXd& information, const Eigen::VectorXd& score);

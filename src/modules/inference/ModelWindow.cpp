@@ -109,7 +109,7 @@ private:
     for (std::size_t choice = 0; choice < choices; ++choice) {
       WindowModel& one = result.emplace_back(WindowModel{.members = members, .cost = prior});
       for (std::size_t i = 0; i < members.size(); ++i) {
-        const PlausibleWidth& width = plausibleWidths[choice >> i & 1];
+        const PriorWidth& width = plausibleWidths[choice >> i & 1];
         one.widths.push_back(width.width);
         one.cost += 2 * static_cast<double>(members[i].count) * std::log(width.width) - 2 * std::log(width.odds);
       }

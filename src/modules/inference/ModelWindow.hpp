@@ -31,13 +31,14 @@ struct WindowModel {
 /// Posterior of the own unknowns under model uncertainty: Bayesian model averaging over a window of models.
 ///
 /// The cost of a model m is D_m = -2 ln B_m + 2 ln K per effect (K: number of candidate effects; for a curve: number of
-/// curves times degrees, plus `threshold::unnamed`), with B_m as in `computeBayesFactor`, except that each member has a
-/// width of its own: where one unknown of an effect is beyond plausible, another that the captures do not determine may
-/// be, too. Each choice of widths counts as a model. Starting without members, the search adds the group that lowers D
-/// most until none does. After each addition it drops members whose removal does not raise D (an alias leaves when the
-/// true effect joins). The window (Occam's window) is the model found, every removal, every swap of one member, and
-/// every addition (Madigan and Raftery, JASA 89 (1994) 1535; Hoeting et al., Statistical Science 14 (1999) 382),
-/// weighted by exp(-D_m / (2 misfit)) (quasi-likelihood: Burnham and Anderson, Model selection, 2002, section 2.5):
+/// curves times degrees, plus `threshold::unnamed`), B_m as in `computeBayesFactor` over `plausibleWidths`, each member
+/// with a width of its own: where one unknown of an effect is beyond plausible, another that the captures do not
+/// determine may be, too. Each choice of widths counts as a model. Starting without members, the search adds the group
+/// that lowers D most until none does. After each addition it drops members whose removal does not raise D (an alias
+/// leaves when the true effect joins). The window (Occam's window) is the model found, every removal, every swap of one
+/// member, and every addition (Madigan and Raftery, JASA 89 (1994) 1535; Hoeting et al., Statistical Science 14 (1999)
+/// 382), weighted by exp(-D_m / (2 misfit)) (quasi-likelihood: Burnham and Anderson, Model selection, 2002,
+/// section 2.5):
 ///   mean = sum w_m unknowns_m,   variance = sum w_m [misfit C_m + (unknowns_m - mean)^2].
 /// The first `expected` effects are known to be present without their identity being known; they cost no 2 ln K.
 struct ModelWindow {
