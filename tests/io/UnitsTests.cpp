@@ -1,6 +1,7 @@
 #include "io/Units.hpp"
 
 #include <catch2/catch.hpp>
+#include <limits>
 
 using namespace naocal;
 
@@ -31,4 +32,14 @@ TEST_CASE("an angle over what it multiplies has the unit of their quotient") {
   CHECK(over(multiplyUnits(angle, angle)) == "1/rad");
   CHECK(over(angle) == "1");
   CHECK(over(multiplyUnits(*parseUnit("K"), {{"Nm", 1}})) == "rad/K/Nm");
+}
+
+TEST_CASE("a value is shown to two significant digits of its standard error") {
+  CHECK(decimalsFor(0.0094) == 4); // 0.4750 ± 0.0094
+  CHECK(decimalsFor(0.2) == 2);
+  CHECK(decimalsFor(3) == 1);
+  CHECK(decimalsFor(31) == 0);
+  CHECK(decimalsFor(1e-9) == 6);
+  CHECK(decimalsFor(0) == 0);
+  CHECK(decimalsFor(std::numeric_limits<double>::infinity()) == 0);
 }

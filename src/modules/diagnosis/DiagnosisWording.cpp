@@ -217,7 +217,9 @@ std::string formatSizes(const CandidateFinding& finding) {
       continue;
     }
     const auto [unit, scale] = displayUnit(unknown.unit);
-    parts.push_back(appendUnit(fmt::format("{} = {:.3g} ± {:.1g}", unknown.name, scale * value, scale * sigma), unit));
+    const int decimals = decimalsFor(scale * sigma);
+    parts.push_back(appendUnit(
+        fmt::format("{} = {:.{}f} ± {:.{}f}", unknown.name, scale * value, decimals, scale * sigma, decimals), unit));
   }
   return fmt::format("{}", fmt::join(parts, ", "));
 }

@@ -1,5 +1,7 @@
 #include "io/Units.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <regex>
 
@@ -49,6 +51,13 @@ UnitPowers multiplyUnits(UnitPowers one, const UnitPowers& other, double power) 
     }
   }
   return one;
+}
+
+int decimalsFor(double sigma) {
+  constexpr double most = 6;
+  const double size = std::abs(sigma);
+  return size > 0 && std::isfinite(size) ? static_cast<int>(std::clamp(1 - std::floor(std::log10(size)), 0.0, most))
+                                         : 0;
 }
 
 } // namespace naocal

@@ -36,6 +36,9 @@ inline std::pair<std::string, double> displayUnit(const std::string& unit) {
   return {unit == "1" ? "" : unit, 1};
 }
 
+/// Decimals that show two significant digits of a standard error, at most six; 0 where it is zero or not finite.
+int decimalsFor(double sigma);
+
 /// Appends a display unit: "3 mm", "0.2°", "0.2°/Nm", "0.2".
 inline std::string appendUnit(std::string number, const std::string& shownUnit) {
   const bool apart = !shownUnit.empty() && !shownUnit.starts_with("°");

@@ -1,10 +1,10 @@
 #include "runs/RunWording.hpp"
 
 #include "io/InputError.hpp"
+#include "io/Units.hpp"
 #include "math/Angles.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -76,7 +76,7 @@ std::string describeErrors(const Run& run) {
 
 std::string formatChange(const OffsetChange& change) {
   const double sigma = degrees(change.sigma);
-  const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(sigma))), 0, 6);
+  const int decimals = decimalsFor(sigma);
   return fmt::format("{:+.{}f}° ± {:.{}f}°", degrees(change.value), decimals, sigma, decimals);
 }
 
