@@ -35,11 +35,11 @@ TEST_CASE("an angle over what it multiplies has the unit of their quotient") {
 }
 
 TEST_CASE("a value is shown to two significant digits of its standard error") {
-  CHECK(decimalsFor(0.0094) == 4); // 0.4750 ± 0.0094
-  CHECK(decimalsFor(0.2) == 2);
-  CHECK(decimalsFor(3) == 1);
-  CHECK(decimalsFor(31) == 0);
-  CHECK(decimalsFor(1e-9) == 6);
+  CHECK(formatEstimate(0.4755, 0.0086) == "0.4755 ± 0.0086");
+  CHECK(formatEstimate(8.97, 31) == "9 ± 31");
+  CHECK(formatEstimate(-1.27e-5, 4.8e-6) == "-0.0000127 ± 0.0000048");
+  CHECK(formatEstimate(-0.0004, 0.12) == "0.00 ± 0.12");
+  CHECK(decimalsFor(1e-12) == 9);
   CHECK(decimalsFor(0) == 0);
   CHECK(decimalsFor(std::numeric_limits<double>::infinity()) == 0);
 }

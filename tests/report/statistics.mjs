@@ -38,6 +38,7 @@ near(trendStrength([{y: 3, error: 1}, {y: 4, error: 1}]), Math.sqrt(12.5));
 assert.equal(trendStrength([{y: 3, error: 1}]), 0);
 
 assert.equal(withError(-1.23456, 0.012, "°"), "−1.235 ± 0.012°");
+assert.equal(withError(-1.27e-5, 4.8e-6), "−0.0000127 ± 0.0000048");
 const size = {name: "k", unit: "°/Nm", value: 0.5, sigma: 0.1, detectable: 0.1294, told: true};
 assert.equal(sizeWords(size), "k = 0.50 ± 0.10°/Nm");
 assert.equal(sizeWords({...size, told: false}), "k undetermined");

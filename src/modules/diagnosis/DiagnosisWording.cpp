@@ -217,9 +217,8 @@ std::string formatSizes(const CandidateFinding& finding) {
       continue;
     }
     const auto [unit, scale] = displayUnit(unknown.unit);
-    const int decimals = decimalsFor(scale * sigma);
-    parts.push_back(appendUnit(
-        fmt::format("{} = {:.{}f} ± {:.{}f}", unknown.name, scale * value, decimals, scale * sigma, decimals), unit));
+    parts.push_back(
+        appendUnit(fmt::format("{} = {}", unknown.name, formatEstimate(scale * value, scale * sigma)), unit));
   }
   return fmt::format("{}", fmt::join(parts, ", "));
 }

@@ -54,10 +54,16 @@ UnitPowers multiplyUnits(UnitPowers one, const UnitPowers& other, double power) 
 }
 
 int decimalsFor(double sigma) {
-  constexpr double most = 6;
+  constexpr double most = 9;
   const double size = std::abs(sigma);
   return size > 0 && std::isfinite(size) ? static_cast<int>(std::clamp(1 - std::floor(std::log10(size)), 0.0, most))
                                          : 0;
+}
+
+std::string formatEstimate(double value, double sigma) {
+  const int decimals = decimalsFor(sigma);
+  const bool isZero = std::abs(value) < std::pow(10.0, -decimals) / 2; // no "-0.00"
+  return fmt::format("{:.{}f} ± {:.{}f}", isZero ? 0 : value, decimals, sigma, decimals);
 }
 
 } // namespace naocal

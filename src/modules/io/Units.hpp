@@ -36,8 +36,10 @@ inline std::pair<std::string, double> displayUnit(const std::string& unit) {
   return {unit == "1" ? "" : unit, 1};
 }
 
-/// Decimals that show two significant digits of a standard error, at most six; 0 where it is zero or not finite.
+/// Decimals that show two significant digits of a standard error, at most nine; 0 where it is zero or not finite.
 int decimalsFor(double sigma);
+/// "0.4755 ± 0.0086": a value and its standard error, to two significant digits of the latter.
+std::string formatEstimate(double value, double sigma);
 
 /// Appends a display unit: "3 mm", "0.2°", "0.2°/Nm", "0.2".
 inline std::string appendUnit(std::string number, const std::string& shownUnit) {

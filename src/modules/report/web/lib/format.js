@@ -10,7 +10,7 @@ export const withUnit = (text, unit) => !unit ? text : unit.startsWith("°") ? t
 
 /** "value ± sigma", rounded to two significant digits of sigma. @param {number} value @param {number} sigma */
 export function withError(value, sigma, unit = "") {
-  const digits = Math.min(6, Math.max(0, 1 - Math.floor(Math.log10(Math.abs(sigma) || 1))));
+  const digits = Math.min(9, Math.max(0, 1 - Math.floor(Math.log10(Math.abs(sigma) || 1))));
   const text = value.toFixed(digits);
   return withUnit(minus(Number(text) ? text : text.replace("-", "")) + " ± " + sigma.toFixed(digits), unit);
 }
