@@ -115,6 +115,7 @@ TEST_CASE("other lens models and broken files are refused by name") {
       {kalibr + with(kalibr, "cam0", "cam1"), "a camchain of one camera"},
       {with(openCvYaml, "image_width: 640\n", ""), "expected image_width"},
       {with(openCvYaml, "600.5", ".Nan"), "expected finite numbers in camera_matrix"},
+      {with(openCvYaml, "dt: d", ":dt d"), "broken YAML or XML"},
       {with(openCvYaml, "600.5", "-600"), "expected a positive picture size and focal lengths"},
       {with(openCvXml, "</cameraMatrix>", ""), "broken YAML or XML"},
       {"hello: 1\n", "camera_matrix (ROS), cam0 (kalibr) or lensmodel (mrcal)"},

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <opencv2/core.hpp>
+#include <stdexcept>
 
 namespace naocal {
 
@@ -100,6 +101,10 @@ int readSide(const cv::FileNode& node) {
   return side > 0 && side < 100'000 ? static_cast<int>(side) : 0;
 }
 
+[[noreturn]] void refuseSyntax(const std::string& file) {
+  throw InputError{fmt::format("{}: expected a file of OpenCV's FileStorage, found broken YAML or XML", file)};
+}
+
 CameraIntrinsics readOpenCv(const std::string& text, const std::string& file) {
   try {
     const cv::FileStorage storage{text, cv::FileStorage::READ | cv::FileStorage::MEMORY};
@@ -125,7 +130,9 @@ CameraIntrinsics readOpenCv(const std::string& text, const std::string& file) {
     }
     return lens;
   } catch (const cv::Exception&) {
-    throw InputError{fmt::format("{}: expected a file of OpenCV's FileStorage, found broken YAML or XML", file)};
+    refuseSyntax(file);
+  } catch (const std::length_error&) { // OpenCV's reader of YAML takes a key without a name for a string of length -1
+    refuseSyntax(file);
   }
 }
 
