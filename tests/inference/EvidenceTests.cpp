@@ -117,7 +117,7 @@ TEST_CASE("a Bayes factor is the likelihood ratio averaged over the sizes that t
 
 TEST_CASE("many small unknowns together are likelier than two of them that explain a third", "[fast]") {
   // A tracker tells the six unknowns of a link's geometry to a hundredth of what is plausible. Each is 2.6 standard
-  // errors. With the plausible width alone, evidence for the six is below zero, and the two are named.
+  // errors. With `plausibleWidths`, both have evidence below zero, and the two are ahead.
   const auto evidence = [](Eigen::Index unknowns) {
     constexpr double information = 1e4, score = 260;
     return computeBayesFactor(information * Eigen::MatrixXd::Identity(unknowns, unknowns),
