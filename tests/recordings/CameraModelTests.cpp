@@ -41,6 +41,14 @@ const std::string openCvXml = R"(<?xml version="1.0"?>
 </opencv_storage>
 )";
 
+const std::string openCvJson = R"({
+"image_width": 640,
+"image_height": 480,
+"K": {"type_id": "opencv-matrix", "rows": 3, "cols": 3, "dt": "d",
+      "data": [ 600.5, 0.0, 321.25, 0.0, 601.5, 239.75, 0.0, 0.0, 1.0 ]},
+"D": {"type_id": "opencv-matrix", "rows": 1, "cols": 5, "dt": "d", "data": [ 0.1, -0.2, 0.001, 0.002, 0.03 ]}
+})";
+
 const std::string ros = R"(image_width: 640
 image_height: 480
 camera_name: wrist
@@ -83,7 +91,7 @@ std::string with(std::string text, const std::string& part, const std::string& r
 } // namespace
 
 TEST_CASE("a lens is the same from OpenCV's, ROS's, kalibr's and mrcal's files") {
-  for (const std::string& text : {openCvYaml, openCvXml, ros, kalibr, mrcal}) {
+  for (const std::string& text : {openCvYaml, openCvXml, openCvJson, ros, kalibr, mrcal}) {
     CAPTURE(text);
     const CameraIntrinsics lens = read(text);
     CHECK(lens.width == 640);
@@ -114,10 +122,20 @@ TEST_CASE("other lens models and broken files are refused by name") {
       {with(kalibr, "pinhole", "omni"), "omni"},
       {kalibr + with(kalibr, "cam0", "cam1"), "a camchain of one camera"},
       {with(openCvYaml, "image_width: 640\n", ""), "expected image_width"},
-      {with(openCvYaml, "600.5", ".Nan"), "expected finite numbers in camera_matrix"},
-      {with(openCvYaml, "dt: d", ":dt d"), "broken YAML or XML"},
+      {with(openCvYaml, "600.5", ".Nan"), "line 10: camera_matrix.data[0]: expected a number, found \".Nan\""},
+      {with(openCvYaml, "dt: d", ":dt d"), "expected valid YAML"},
+      {with(openCvYaml, "dt: d", "dt: 3d"), "camera_matrix.dt: expected a type with one number per element"},
+      {with(openCvYaml, "rows: 5", "rows: 6"), "distortion_coefficients.data: expected 6 numbers, found 5"},
+      {with(openCvYaml, "640", "6.4e9"), "expected a picture's size of 1 to 99999 px"},
+      {with(openCvYaml, "rows: 3", "rows: 1"), "camera_matrix.data: expected 3 numbers, found 9"},
       {with(openCvYaml, "600.5", "-600"), "expected a positive picture size and focal lengths"},
-      {with(openCvXml, "</cameraMatrix>", ""), "broken YAML or XML"},
+      {with(openCvXml, "</cameraMatrix>", ""), "expected XML, found an error there"},
+      {with(openCvXml, "<rows>3", "<rows>2"), "cameraMatrix: expected rows x cols numbers, found 9"},
+      {with(openCvXml, "<dt>d", "<dt>2d"), "cameraMatrix: expected a type (dt) with one number per element"},
+      {with(openCvXml, "600.5", "wide"), "cameraMatrix: expected finite numbers, found \"wide 0. 321.25"},
+      {with(openCvXml, "<data>0.1 -0.2 0.001 0.002 0.03</data>", ""), "distCoeffs: expected <data> with a value"},
+      {with(openCvXml, "<image_width>640", "<image_width>"), "image_width: expected a number, found none"},
+      {with(mrcal, "[ 640, 480,]", "[ 1e300, 480,]"), "imagersize[0]: expected a whole number from 1 to 99999"},
       {"hello: 1\n", "camera_matrix (ROS), cam0 (kalibr) or lensmodel (mrcal)"},
   };
   for (const Broken& broken : all) {

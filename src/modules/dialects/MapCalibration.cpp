@@ -1,7 +1,7 @@
 #include "dialects/MapCalibration.hpp"
 
-#include "dialects/text/Decimals.hpp"
 #include "dialects/MountAngles.hpp"
+#include "dialects/text/Decimals.hpp"
 #include "io/InputError.hpp"
 #include "math/Angles.hpp"
 #include "protocol/JointOrder.hpp"

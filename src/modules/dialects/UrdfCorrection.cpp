@@ -1,13 +1,13 @@
 #include "dialects/UrdfCorrection.hpp"
 
 #include "io/InputError.hpp"
+#include "io/XmlDocument.hpp"
 #include "math/Angles.hpp"
 #include "robot/Kinematics.hpp"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 #include <sstream>
-#include <tinyxml.h>
 
 namespace naocal {
 
@@ -72,10 +72,9 @@ std::string correctUrdf(const std::string& text, const std::string& name, const 
       throw InputError{fmt::format("{}: expected the joint {} of the result, found none", name, joint)};
     }
   }
-  TiXmlDocument document;
-  document.Parse(text.c_str());
+  TiXmlDocument document = parseXml(text, name, "a URDF");
   TiXmlElement* const root = document.FirstChildElement("robot");
-  if (document.Error() || root == nullptr) {
+  if (root == nullptr) {
     throw InputError{fmt::format("{}: expected a URDF, found other XML", name)};
   }
   for (TiXmlElement* element = root->FirstChildElement("joint"); element != nullptr;

@@ -77,7 +77,7 @@ void addCamera(const ImportScene& scene, const std::optional<CameraIntrinsics>& 
                ImportedSet& imported) {
   if (!lens) {
     throw InputError{"import: expected a lens of the camera, found none; give its calibration with --camera-model "
-                     "(OpenCV's YAML or XML, ROS's camera_info, kalibr's camchain, mrcal's cameramodel)"};
+                     "(OpenCV's YAML, JSON or XML, ROS's camera_info, kalibr's camchain, mrcal's cameramodel)"};
   }
   if (link != "world" && !scene.robot.linkIndex(link)) {
     const std::vector<std::string> names = linkNames(scene.robot);

@@ -2,18 +2,16 @@
 
 #include "io/InputError.hpp"
 #include "io/JsonWriter.hpp"
+#include "io/XmlDocument.hpp"
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <string_view>
-#include <tinyxml.h>
 
 namespace naocal {
 
@@ -51,28 +49,6 @@ template <typename Visit> void visitElements(const TiXmlElement& element, const 
   visit(element);
   for (const TiXmlElement* child = element.FirstChildElement(); child != nullptr; child = child->NextSiblingElement()) {
     visitElements(*child, visit);
-  }
-}
-
-/// Refuses nesting that would exhaust the parser's stack: it parses elements within elements by recursion.
-void checkNesting(std::string_view text, const std::string& name) {
-  constexpr std::ptrdiff_t most = 100; // levels; a link's deepest element is the fourth
-  std::ptrdiff_t depth = 0;
-  for (std::size_t at = text.find('<'); at != text.npos; at = text.find('<', at + 1)) {
-    if (text.substr(at).starts_with("<!--")) {
-      at = text.find("-->", at);
-      if (at == text.npos) {
-        return;
-      }
-    } else if (text.substr(at).starts_with("</")) {
-      --depth;
-    } else {
-      const std::size_t end = text.find('>', at);
-      depth += end != text.npos && text[end - 1] == '/' ? 0 : 1;
-    }
-    if (depth > most) {
-      throw InputError{fmt::format("{}: expected a URDF, found more than {} elements within each other", name, most)};
-    }
   }
 }
 
@@ -119,7 +95,7 @@ void requireNumbers(const UrdfText& urdf, const TiXmlElement& element, const cha
   if (value == nullptr) {
     return;
   }
-  const auto numbers = parseUrdfNumbers(value);
+  const auto numbers = parseXmlNumbers(value);
   if (!numbers) {
     refuse(urdf, placeOf(element), fmt::format("finite numbers in '{}'", attribute), fmt::format("'{}'", value));
   }
@@ -233,32 +209,8 @@ bool holdsNumbers(std::string_view element, std::string_view attribute) {
   });
 }
 
-std::optional<std::vector<double>> parseUrdfNumbers(std::string_view value) {
-  std::vector<double> numbers;
-  std::istringstream words{std::string{value}};
-  for (std::string word; words >> word;) {
-    const std::string_view digits = word.starts_with('+') ? std::string_view{word}.substr(1) : word;
-    double number = 0;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
-    if (error != std::errc{} || end != digits.data() + digits.size() || !std::isfinite(number)) {
-      return std::nullopt;
-    }
-    numbers.push_back(number);
-  }
-  return numbers;
-}
-
 void checkUrdf(const std::string& text, const std::string& name) {
-  UrdfText urdf{{}, name};
-  if (text.find('\0') != text.npos) {
-    throw InputError{fmt::format("{}: expected a URDF, found a zero byte", name)};
-  }
-  checkNesting(text, name);
-  urdf.document.Parse(text.c_str()); // as urdfdom does: other options read &#228; otherwise
-  if (urdf.document.Error()) {
-    throw InputError{fmt::format("{}, line {}, column {}: expected XML, found an error there ({})", name,
-                                 urdf.document.ErrorRow(), urdf.document.ErrorCol(), urdf.document.ErrorDesc())};
-  }
+  const UrdfText urdf{parseXml(text, name, "a URDF"), name};
   const TiXmlElement* root = urdf.document.RootElement();
   if (root == nullptr || root->Value() != std::string_view{"robot"}) {
     refuse(urdf, "top", "the element <robot>", root == nullptr ? "none" : fmt::format("<{}>", root->Value()));

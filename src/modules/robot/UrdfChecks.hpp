@@ -1,9 +1,7 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace naocal {
 
@@ -14,8 +12,5 @@ void checkUrdf(const std::string& text, const std::string& name);
 
 /// Whether an attribute of a URDF's element holds numbers.
 bool holdsNumbers(std::string_view element, std::string_view attribute);
-
-/// The numbers of such an attribute, separated by white space; absent if a word is no finite number.
-std::optional<std::vector<double>> parseUrdfNumbers(std::string_view value);
 
 } // namespace naocal

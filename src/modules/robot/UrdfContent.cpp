@@ -1,5 +1,6 @@
 #include "robot/UrdfContent.hpp"
 
+#include "io/XmlDocument.hpp"
 #include "robot/UrdfChecks.hpp"
 
 #include <fmt/format.h>
@@ -7,7 +8,6 @@
 #include <map>
 #include <sstream>
 #include <string_view>
-#include <tinyxml.h>
 #include <vector>
 
 namespace naocal {
@@ -17,8 +17,7 @@ namespace {
 /// The value of an attribute with one text per number: +0.10 and 1e-1 are 0.1, -0 is 0.
 std::string attributeContent(const TiXmlElement& element, const TiXmlAttribute& attribute) {
   const std::string_view value = attribute.Value();
-  const auto numbers =
-      holdsNumbers(element.Value(), attribute.Name()) ? parseUrdfNumbers(value) : std::vector<double>{};
+  const auto numbers = holdsNumbers(element.Value(), attribute.Name()) ? parseXmlNumbers(value) : std::vector<double>{};
   if (!numbers || numbers->empty()) {
     return std::string{value};
   }
@@ -62,8 +61,7 @@ void appendElement(const TiXmlElement& element, std::string& content) {
 } // namespace
 
 std::string urdfContent(const std::string& text) {
-  TiXmlDocument document;
-  document.Parse(text.c_str());
+  const TiXmlDocument document = parseXml(text, "URDF", "a URDF");
   std::string content;
   if (const TiXmlElement* root = document.RootElement()) {
     appendElement(*root, content);

@@ -7,6 +7,7 @@
 #include <fcntl.h>
 #include <netinet/in.h>
 #include <stdexcept>
+#include <sys/socket.h>
 
 namespace naocal {
 namespace {
@@ -30,6 +31,8 @@ struct Server {
     address.sin_port = htons(static_cast<std::uint16_t>(std::stoi(host.substr(host.find(':') + 1))));
     address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
     const int socket = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+    const linger reset{1, 0}; // closed sockets keep no port, which millions of reads would use up
+    ::setsockopt(socket, SOL_SOCKET, SO_LINGER, &reset, sizeof reset);
     if (::connect(socket, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
       throw std::runtime_error{"the server cannot be connected to"};
     }
