@@ -1,6 +1,7 @@
 #include "diagnosis/Diagnosis.hpp"
 
 #include "calibration/Outliers.hpp"
+#include "diagnosis/CandidateJudgement.hpp"
 #include "diagnosis/DiagnosisFigures.hpp"
 #include "diagnosis/DiagnosisWording.hpp"
 #include "diagnosis/OwnEffect.hpp"

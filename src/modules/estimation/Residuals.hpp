@@ -2,7 +2,7 @@
 
 #include "estimation/Marginalization.hpp"
 #include "estimation/Model.hpp"
-#include "estimation/NormalEquations.hpp"
+#include "estimation/PictureResiduals.hpp"
 #include "measurements/Measurements.hpp"
 #include "measurements/Noise.hpp"
 
@@ -12,33 +12,6 @@
 #include <vector>
 
 namespace naocal {
-
-/// Residuals of one observation's corners, with their weights.
-struct BoardResidual {
-  std::size_t picture = 0, observation = 0;
-  Eigen::Matrix2Xd predicted; // [px]
-  Eigen::Matrix2Xd residual;  // measured - predicted [px]: minus the r of all formulas
-  Eigen::VectorXd weight;     // loss weight, 0..1
-  Eigen::MatrixXd motionRows; // derivative of `predicted` with respect to (omega, v) of the board in the optical frame;
-                              // rows u0, v0, ..., 6 columns
-};
-
-/// Residuals of one witness.
-struct WitnessResidual {
-  std::size_t picture = 0, witness = 0;
-  Eigen::VectorXd residual; // predicted - measured [m] or [rad], as its parts say
-  double weight = 1;        // least loss weight of its parts, 0..1
-};
-
-/// Normal equations of a single observation for a rigid motion of its board in the optical frame (omega, v), with cross
-/// terms to the unknowns and deflections of its pose. L: `motionRows`, W: the corners' weights; before any noise level
-/// is applied.
-struct BoardMotionSums {
-  std::size_t picture = 0, observation = 0, pose = 0;
-  Eigen::Matrix<double, 6, 6> gram;               // L^T W L   [px^2 / (rad or m)^2]
-  Eigen::Matrix<double, 6, 1> gradient;           // L^T W r, r = predicted - measured
-  Eigen::Matrix<double, 6, Eigen::Dynamic> cross; // L^T W [J_x J_t]: the pose's unknowns, then its deflections
-};
 
 /// The whitened least-squares problem of a model and its measurements: residuals, derivatives and cost. A problem for
 /// `levenbergMarquardt`. Keeps references to measurements and model.
@@ -90,42 +63,20 @@ public:
   const Noise& noise() const { return noise_; }
 
 private:
-  struct Workspace;
   bool linearizeAt(std::size_t pose, const State& state, const Eigen::VectorXd& inSigmas, PoseSystem& system,
                    MarginalSystem& part) const;
   void settleDeflections(std::size_t pose, State& state, PoseSystem& system, MarginalSystem& part) const;
   template <class AtPose> bool linearisePoses(Linear& result, const AtPose& atPose) const;
   void sumPoses(const State& state, Linear& result) const;
-  bool addPose(std::size_t pose, const State& state, const Eigen::VectorXd& deflections, Workspace& work,
+  bool addPose(std::size_t pose, const State& state, const Eigen::VectorXd& deflections, PictureWorkspace& work,
                PosePart& part) const;
   template <class Visit> bool visitPictures(const State& state, const Visit& visit) const;
   PosePart listColumns(const PoseGroup& pose);
-  void predictImageState(const ImageObservation& picture, const PreparedImage& prepared,
-                         const Eigen::VectorXd& unknowns, const Eigen::VectorXd& deflections, Workspace& work) const;
-  bool addPicture(const ImageObservation& picture, const PreparedImage& prepared, Workspace& work,
-                  PosePart& part) const;
-  void addFloorContact(const ObservationChain& sole, const PreparedImage::Group& group, Workspace& work,
-                       PosePart& part) const;
-  void addWitness(const WitnessObservation& observation, const PreparedImage::Group& group, Workspace& work,
-                  PosePart& part) const;
-  Loss::Value lossOf(const WitnessObservation& observation, const Eigen::Ref<const Eigen::VectorXd>& residual,
-                     const Witness::Part& part) const;
-  WitnessRows compareWitness(const WitnessObservation& observation, const Workspace& work,
-                             std::optional<CameraFrames>& frames) const;
-  bool addCorners(const BoardObservation& observation, const std::vector<std::size_t>& extras, CameraFrames& attitude,
-                  Workspace& work) const;
-  void addImuReading(const ImageObservation& picture, const PreparedImage& prepared, Workspace& work,
-                     PosePart& part) const;
-  bool addGroup(const ImageObservation& picture, const PreparedImage::Group& group, Workspace& work,
-                PosePart& part) const;
-  BoardResidual boardResidual(std::size_t picture, std::size_t index, Workspace& work) const;
-  bool addMotion(const BoardObservation& observation, const PreparedImage::Group& group, Workspace& work,
-                 BoardMotionSums& motion) const;
 
   const Measurements& measurements_;
   const Model& model_;
   Noise noise_;
-  Loss loss_;
+  PictureResiduals pictures_;
   Eigen::VectorXd sigmas_;
   std::vector<bool> free_;
   std::vector<PreparedImage> prepared_; // per picture

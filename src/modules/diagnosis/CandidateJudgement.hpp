@@ -1,0 +1,17 @@
+#pragma once
+
+#include "diagnosis/DiagnosisResult.hpp"
+#include "diagnosis/evidence/CandidateTests.hpp"
+
+#include <string>
+#include <vector>
+
+namespace naocal {
+
+/// Final assessment of each candidate, best first: state, detection power, and equivalent candidates. `last`: tests of
+/// the last `model` at its `fit`; `suggested`: labels in order of addition.
+std::vector<CandidateFinding> judgeCandidates(std::vector<CandidateFinding> findings, const CandidateTests& last,
+                                              const Model& model, const CalibrationResult& fit,
+                                              const std::vector<std::string>& suggested);
+
+} // namespace naocal
