@@ -103,7 +103,7 @@ TEST_CASE("p-values of a complete model whose scatter is estimated as zero are u
 TEST_CASE("a Bayes factor is the likelihood ratio averaged over the sizes that the prior allows", "[fast]") {
   const double information = 400, score = 60; // estimate 0.15 of what is plausible, three standard errors
   double average = 0;
-  for (const auto& [width, odds] : rankingWidths) {
+  for (const auto& [width, odds] : plausibleWidths) {
     const auto weighted = [&, w = width](double size) {
       return std::exp(score * size - information * size * size / 2 - size * size / (2 * w * w));
     };
@@ -117,7 +117,7 @@ TEST_CASE("a Bayes factor is the likelihood ratio averaged over the sizes that t
 
 TEST_CASE("many small unknowns together are likelier than two of them that explain a third", "[fast]") {
   // A tracker tells the six unknowns of a link's geometry to a hundredth of what is plausible. Each is 2.6 standard
-  // errors. With `plausibleWidths`, both have evidence below zero, and the two are ahead.
+  // errors. With the widths 1 and 4 alone, both have evidence below zero, and the two are ahead.
   const auto evidence = [](Eigen::Index unknowns) {
     constexpr double information = 1e4, score = 260;
     return computeBayesFactor(information * Eigen::MatrixXd::Identity(unknowns, unknowns),

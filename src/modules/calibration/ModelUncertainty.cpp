@@ -24,14 +24,13 @@ namespace {
 /// under the narrow prior, in units of its sigmas.
 ///   -2 ln likelihood(w) = sum ln(1 + w^2 V) - s^2 / (V + w^-2),   V the data's information, s their score at zero
 bool isWide(const Eigen::ArrayXd& values, const Eigen::ArrayXd& variances) {
-  const auto& [narrow, wide] = plausibleWidths;
   const Eigen::ArrayXd information = (1 / variances - 1).max(0), scores = values / variances;
   const auto cost = [&](const PriorWidth& prior) {
     const double square = prior.width * prior.width;
     return ((square * information).log1p() - scores.square() / (information + 1 / square)).sum() -
            2 * std::log(prior.odds);
   };
-  return cost(wide) < cost(narrow);
+  return cost(plausibleWidths[1]) < cost(plausibleWidths[0]);
 }
 
 FittedPoint pointOf(const Fit& fit) {

@@ -185,7 +185,7 @@ std::vector<double> drawSmallestP(const NullModel& alone, const ScoreTest& tests
 
 double computeBayesFactor(const Eigen::MatrixXd& information, const Eigen::VectorXd& score) {
   double most = 0, sum = 0;
-  for (const auto& [width, odds] : rankingWidths) {
+  for (const auto& [width, odds] : plausibleWidths) {
     Eigen::MatrixXd posterior = information;
     posterior.diagonal().array() += 1 / (width * width);
     const Eigen::LLT<Eigen::MatrixXd> factor{posterior};

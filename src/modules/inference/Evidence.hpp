@@ -38,17 +38,16 @@ struct PriorWidth {
   double width, odds;
 };
 
-/// Usually what is plausible, sometimes four times as much. With a single width, an effect of five sigma is attributed
-/// to a smaller alias that explains it nearly as well, together with the offset that distinguishes the two.
-constexpr PriorWidth plausibleWidths[] = {{1, 0.8}, {4, 0.2}};
+/// Usually what is plausible, sometimes four times as much, and often far less, as trackers and cameras see effects of
+/// a sixteenth of it. With a single width, an effect of five sigma is attributed to a smaller alias that explains it
+/// nearly as well, together with the offset that distinguishes the two. Without the small ones, each of the six
+/// unknowns of a link's geometry costs 2 ln(plausible size / standard error) of evidence: a tilted axis that explains
+/// half is named instead, or nothing, and offsets that such an effect shifts are called certain. Odds of 0.2 for the
+/// smallest would name causes of misfits that are far below the noise. The first is the usual width, the second the
+/// widest.
+constexpr PriorWidth plausibleWidths[] = {{1, 0.55}, {4, 0.2}, {1.0 / 4, 0.2}, {1.0 / 16, 0.05}};
 
-/// Widths when effects compete for a misfit. They reach down to a sixteenth of what is plausible, as trackers and
-/// cameras see effects that small. With `plausibleWidths`, each of the six unknowns of a link's geometry costs
-/// 2 ln(plausible size / standard error) of evidence, and a tilted axis that explains half is named instead. Odds of
-/// 0.2 for the smallest would name causes of misfits that are far below the noise.
-constexpr PriorWidth rankingWidths[] = {{4, 0.2}, {1, 0.55}, {1.0 / 4, 0.2}, {1.0 / 16, 0.05}};
-
-/// 2 ln(Bayes factor) of coefficients ~ N(0, width^2), mixed over `rankingWidths`, against zero coefficients:
+/// 2 ln(Bayes factor) of coefficients ~ N(0, width^2), mixed over `plausibleWidths`, against zero coefficients:
 ///   B(width) = |I + width^2 V|^-1/2 exp(s^T (V + width^-2)^-1 s / 2),
 /// with s, V the score and information in units of `plausible`.
 double computeBayesFactor(const Eigen::MatrixXd& information, const Eigen::VectorXd& score);

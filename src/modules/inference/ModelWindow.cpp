@@ -104,12 +104,15 @@ private:
     const Eigen::VectorXd score = score_(columns);
     const double prior = priorCost(members);
     std::vector<WindowModel> result;
-    const std::size_t choices = std::size_t{1} << members.size();
-    static_assert(std::size(plausibleWidths) == 2);
+    constexpr std::size_t widths = std::size(plausibleWidths);
+    std::size_t choices = 1;
+    for (std::size_t i = 0; i < members.size(); ++i) {
+      choices *= widths;
+    }
     for (std::size_t choice = 0; choice < choices; ++choice) {
       WindowModel& one = result.emplace_back(WindowModel{.members = members, .cost = prior});
-      for (std::size_t i = 0; i < members.size(); ++i) {
-        const PriorWidth& width = plausibleWidths[choice >> i & 1];
+      for (std::size_t i = 0, digits = choice; i < members.size(); ++i, digits /= widths) {
+        const PriorWidth& width = plausibleWidths[digits % widths];
         one.widths.push_back(width.width);
         one.cost += 2 * static_cast<double>(members[i].count) * std::log(width.width) - 2 * std::log(width.odds);
       }
@@ -214,7 +217,7 @@ private:
     }
     const std::vector<Eigen::Index> columns = columnsOf(fitted_);
     WindowModel widest{.members = fitted_};
-    widest.widths.assign(fitted_.size(), std::max(plausibleWidths[0].width, plausibleWidths[1].width));
+    widest.widths.assign(fitted_.size(), plausibleWidths[1].width);
     const Eigen::MatrixXd precision = posteriorPrecision(widest, informationOf(fitted_, eigenIndex(columns.size())));
     const Eigen::VectorXd score = scoreAtFit_(columns);
     return score.dot(precision.ldlt().solve(score));
