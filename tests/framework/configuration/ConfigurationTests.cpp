@@ -272,7 +272,10 @@ TEST_CASE("what is shipped stays as it is when what a robot learns is saved besi
   configuration->save();
   const TemporaryFolder copy;
   configuration->set("Offsets", "knee", 5);
+  std::filesystem::create_directories(learned / "runs");
+  writeAtomically(learned / "runs/head.json", "{}"); // of the robot's history, which grows
   configuration->writeTo(copy.path());
+  CHECK_FALSE(std::filesystem::exists(copy.path() / "runs"));
   CHECK(json::parse(readFile(copy.path() / "location/default/sdk.json")) ==
         json{{"network.basePort", 3000}, {"other", 0}});
   Configuration one{copy.path(), robot.names, writeAtomically};

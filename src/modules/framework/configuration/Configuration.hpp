@@ -67,7 +67,8 @@ public:
   bool isSaved(std::string_view mount) const;
 
   /// Writes all files, as they would be after saving now, into another, empty root. Merges shipped and saved files;
-  /// leaves out the secret (access.json) and the journal of an interrupted save.
+  /// leaves out what else lies in the folder of saved ones, the secret (access.json) and the journal of an interrupted
+  /// save.
   void writeTo(const std::filesystem::path& root) const;
 
   /// Restores a mount's saved file, and its keys, from before the last save; unsaved changes are lost. Throws
