@@ -253,9 +253,9 @@ void Configuration::writeTo(const std::filesystem::path& root) const {
     }
   }
   std::set<std::filesystem::path> files = filesIn(folders_.shipped), saved = filesIn(folders_.saved);
-  if (folders_.areTwo()) { // beside layers, a robot's folder holds its history
-    std::erase_if(saved, [](const std::filesystem::path& file) { return *file.begin() != "location"; });
-  }
+  std::erase_if(saved, [](const std::filesystem::path& file) { // beside layers, a robot's folder holds its history
+    return *file.begin() != "location";
+  });
   files.insert(saved.begin(), saved.end());
   for (const auto& [file, content] : changed) {
     files.insert(file);
