@@ -90,19 +90,12 @@ void CalibrationRuns::publishNewest() {
   if (recording_.folder.empty()) {
     return;
   }
-  PublishedRuns newest;
+  const auto isOurs = [&](const Run& run) { return run.robot.bodyId == recording_.robot.bodyId; };
   try {
-    for (Run& run : RunFolder{recording_.folder}.read().runs) {
-      if (run.robot.bodyId == recording_.robot.bodyId) {
-        newest.runs.push_back(std::move(run));
-      }
-    }
+    published_.write({RunFolder{recording_.folder}.readNewest(mostPublished, isOurs)});
   } catch (const std::exception& error) {
     recording_.log(fmt::format("The robot's earlier runs are not shown: {}.", error.what()));
   }
-  const std::size_t left = newest.runs.size() - std::min(newest.runs.size(), mostPublished);
-  newest.runs.erase(newest.runs.begin(), newest.runs.begin() + static_cast<std::ptrdiff_t>(left));
-  published_.write(std::move(newest));
 }
 
 Run CalibrationRuns::begin(std::string kind) const {

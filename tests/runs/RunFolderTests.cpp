@@ -114,6 +114,31 @@ TEST_CASE("of too many runs the newest are read, and that is said") {
   CHECK_THAT(read.broken.front(), Contains("at most 2 runs, found 3"));
 }
 
+TEST_CASE("the newest wanted runs are read without the older ones") {
+  // Proves which runs are read, that their order is that of time, and that a broken file and another robot's run are
+  // passed over. A wish that counts its runs proves that older files are not read.
+  const TemporaryFolder folder;
+  const RunFolder runs{folder.path()};
+  for (const char* day : {"2026-02-14", "2026-02-18", "2026-02-15", "2026-02-17"}) {
+    runs.add(exampleRun(day, {}));
+  }
+  Run other = exampleRun("2026-02-16", {});
+  other.robot.bodyId = "P009";
+  runs.add(other);
+  writeAtomically(folder.path() / "2026-02-19.json", "no JSON");
+  std::size_t asked = 0;
+  const std::vector<Run> newest = runs.readNewest(3, [&](const Run& run) {
+    ++asked;
+    return run.robot.bodyId != "P009";
+  });
+  REQUIRE(newest.size() == 3);
+  CHECK(formatDay(newest[0].time) == "2026-02-15");
+  CHECK(formatDay(newest[1].time) == "2026-02-17");
+  CHECK(formatDay(newest[2].time) == "2026-02-18");
+  CHECK(asked == 4);
+  CHECK(RunFolder{folder.path() / "none"}.readNewest(3, [](const Run&) { return true; }).empty());
+}
+
 TEST_CASE("offsets of a result are the averaged ones that its captures determine") {
   // Proves which numbers are taken: averaged before value, learned joints only, joint offsets only.
   const json unknown{{"value", 0.1}, {"sigma", 0.01}, {"learned", 0.9}, {"degreesOfFreedom", 20.0}};

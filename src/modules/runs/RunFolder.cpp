@@ -18,9 +18,8 @@ namespace {
 constexpr std::uintmax_t largestRun = 1 << 20; // [bytes]
 
 /// Files of runs by name, that is by time; without temporary files of writers.
-std::vector<fs::path> listFiles(const fs::path& folder, std::size_t most, std::vector<std::string>& broken) {
+std::vector<fs::path> listFiles(const fs::path& folder, std::error_code& problem) {
   std::vector<fs::path> files;
-  std::error_code problem;
   if (!fs::exists(folder, problem)) {
     return files;
   }
@@ -29,17 +28,23 @@ std::vector<fs::path> listFiles(const fs::path& folder, std::size_t most, std::v
       files.push_back(entry->path());
     }
   }
-  if (problem) {
-    broken.push_back(fmt::format("{}: expected a folder of runs that can be read, found a problem: {}", folder.string(),
-                                 problem.message()));
-  }
   std::sort(files.begin(), files.end());
-  if (files.size() > most) {
-    broken.push_back(fmt::format("{}: expected at most {} runs, found {}; the oldest are left out", folder.string(),
-                                 most, files.size()));
-    files.erase(files.begin(), files.end() - static_cast<std::ptrdiff_t>(most));
-  }
   return files;
+}
+
+/// Throws InputError for a name that is no id, and if the file is no run.
+Run readRun(const fs::path& file) {
+  const std::string id = file.stem().string();
+  if (!isRunId(id)) {
+    throw InputError{fmt::format("{}: expected a name of letters, digits, \".\", \"-\" and \"_\", found others; "
+                                 "rename the file",
+                                 file.string())};
+  }
+  return parseRun(parseJson(readFile(file, largestRun), file.string()), id, file.string());
+}
+
+void sortByTime(std::vector<Run>& runs) {
+  std::stable_sort(runs.begin(), runs.end(), [](const Run& a, const Run& b) { return a.time < b.time; });
 }
 
 void createFolder(const fs::path& folder) {
@@ -55,22 +60,44 @@ void createFolder(const fs::path& folder) {
 
 RecordedRuns RunFolder::read(std::size_t most) const {
   RecordedRuns recorded;
-  for (const fs::path& file : listFiles(folder_, most, recorded.broken)) {
+  std::error_code problem;
+  std::vector<fs::path> files = listFiles(folder_, problem);
+  if (problem) {
+    recorded.broken.push_back(fmt::format("{}: expected a folder of runs that can be read, found a problem: {}",
+                                          folder_.string(), problem.message()));
+  }
+  if (files.size() > most) {
+    recorded.broken.push_back(fmt::format("{}: expected at most {} runs, found {}; the oldest are left out",
+                                          folder_.string(), most, files.size()));
+    files.erase(files.begin(), files.end() - static_cast<std::ptrdiff_t>(most));
+  }
+  for (const fs::path& file : files) {
     try {
-      const std::string id = file.stem().string();
-      if (!isRunId(id)) {
-        throw InputError{fmt::format("{}: expected a name of letters, digits, \".\", \"-\" and \"_\", found others; "
-                                     "rename the file",
-                                     file.string())};
-      }
-      recorded.runs.push_back(parseRun(parseJson(readFile(file, largestRun), file.string()), id, file.string()));
+      recorded.runs.push_back(readRun(file));
     } catch (const InputError& error) {
       recorded.broken.emplace_back(error.what());
     }
   }
-  std::stable_sort(recorded.runs.begin(), recorded.runs.end(),
-                   [](const Run& a, const Run& b) { return a.time < b.time; });
+  sortByTime(recorded.runs);
   return recorded;
+}
+
+std::vector<Run> RunFolder::readNewest(std::size_t most, const std::function<bool(const Run&)>& isWanted) const {
+  std::vector<Run> newest;
+  std::error_code unreadable;
+  const std::vector<fs::path> files = listFiles(folder_, unreadable);
+  for (auto file = files.rbegin(); file != files.rend() && newest.size() < most; ++file) {
+    try {
+      if (Run run = readRun(*file); isWanted(run)) {
+        newest.push_back(std::move(run));
+      }
+    } catch (const InputError&) {
+      continue; // `read` says what is wrong with it
+    }
+  }
+  std::reverse(newest.begin(), newest.end());
+  sortByTime(newest);
+  return newest;
 }
 
 Run RunFolder::add(Run run) const {

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,10 @@ public:
 
   /// The newest runs; none if there is no such folder. Leaves out broken files and says what is wrong with each.
   RecordedRuns read(std::size_t most = mostRuns) const;
+
+  /// The newest wanted runs by time, at most `most`. Reads no older files once it has them, so a long history costs no
+  /// more than a short one. Leaves out broken files.
+  std::vector<Run> readNewest(std::size_t most, const std::function<bool(const Run&)>& isWanted) const;
 
   /// Writes a run atomically under a new id (`makeRunId`) and returns it. Throws InputError if it cannot be written.
   Run add(Run run) const;
