@@ -41,7 +41,7 @@ TEST_CASE("where one number of an effect is beyond plausible, its others may be,
   };
   const std::optional<Model> wide = widened(3);
   REQUIRE(wide);
-  CHECK(wide->find("encoderEccentricity@LKneePitch")->sigmas().isApprox(plausibleWidths[1].width * sigmas));
+  CHECK(wide->find("encoderEccentricity@LKneePitch")->sigmas().isApprox(widestWidth.width * sigmas));
   CHECK_FALSE(widened(0.5));
 }
 

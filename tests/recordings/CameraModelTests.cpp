@@ -126,7 +126,7 @@ TEST_CASE("other lens models and broken files are refused by name") {
       {with(openCvYaml, "dt: d", ":dt d"), "expected valid YAML"},
       {with(openCvYaml, "dt: d", "dt: 3d"), "camera_matrix.dt: expected a type with one number per element"},
       {with(openCvYaml, "rows: 5", "rows: 6"), "distortion_coefficients.data: expected 6 numbers, found 5"},
-      {with(openCvYaml, "640", "6.4e9"), "expected a picture's size of 1 to 99999 px"},
+      {with(openCvYaml, "640", "6.4e9"), "expected a picture's size of 1 to 100000 px"},
       {with(openCvYaml, "rows: 3", "rows: 1"), "camera_matrix.data: expected 3 numbers, found 9"},
       {with(openCvYaml, "600.5", "-600"), "expected a positive picture size and focal lengths"},
       {with(openCvXml, "</cameraMatrix>", ""), "expected XML, found an error there"},

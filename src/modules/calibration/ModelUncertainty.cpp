@@ -30,7 +30,7 @@ bool isWide(const Eigen::ArrayXd& values, const Eigen::ArrayXd& variances) {
     return ((square * information).log1p() - scores.square() / (information + 1 / square)).sum() -
            2 * std::log(prior.odds);
   };
-  return cost(plausibleWidths[1]) < cost(plausibleWidths[0]);
+  return cost(widestWidth) < cost(usualWidth);
 }
 
 FittedPoint pointOf(const Fit& fit) {
@@ -282,7 +282,7 @@ std::optional<Model> widenPriors(const Model& model, const Eigen::VectorXd& unkn
         isWide(unknowns.segment(first, count).array() / sigmas,
                variances.segment(first, count).array() / sigmas.square())) {
       for (Unknown& unknown : term.effect.unknowns) {
-        unknown.sigma *= plausibleWidths[1].width;
+        unknown.sigma *= widestWidth.width;
       }
       widened = true;
     }

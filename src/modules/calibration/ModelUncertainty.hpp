@@ -13,8 +13,8 @@
 
 namespace naocal {
 
-/// The model with priors widened where the fit requires it: an effect added to the base model gets the wider of
-/// `plausibleWidths` if that raises the likelihood of the measurements. A prior that is too narrow would shrink the
+/// The model with priors widened where the fit requires it: an effect added to the base model gets
+/// `widestWidth` if that raises the likelihood of the measurements. A prior that is too narrow would shrink the
 /// effect, and an alias would absorb the rest. Absent if no prior changes. `unknowns`, `variances`: of the fit, priors
 /// included.
 std::optional<Model> widenPriors(const Model& model, const Eigen::VectorXd& unknowns, const Eigen::VectorXd& variances);

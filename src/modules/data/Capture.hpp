@@ -21,6 +21,8 @@ using Seconds = std::chrono::duration<double>;
 
 /// A pinhole camera with OpenCV's distortion terms k1, k2, p1, p2, k3. Pixel (0,0) is the centre of the top-left pixel.
 struct CameraIntrinsics {
+  static constexpr int mostPixels = 100'000; // of a side, in any file
+
   int width = 640, height = 480;         // [px]
   double fx = 0, fy = 0, cx = 0, cy = 0; // [px]
   std::array<double, 5> distortion{};    // [1]

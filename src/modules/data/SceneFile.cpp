@@ -16,8 +16,8 @@ const std::vector<std::string_view> axesWords{"forward", "optical"};
 
 CameraIntrinsics readCamera(const JsonCursor& place) {
   CameraIntrinsics camera;
-  camera.width = place.at("width").integer(1, 100000);
-  camera.height = place.at("height").integer(1, 100000);
+  camera.width = place.at("width").integer(1, CameraIntrinsics::mostPixels);
+  camera.height = place.at("height").integer(1, CameraIntrinsics::mostPixels);
   camera.fx = place.at("fx").number({1, 1e6, "px"});
   camera.fy = place.at("fy").number({1, 1e6, "px"});
   camera.cx = place.at("cx").number({-1e5, 1e5, "px"});

@@ -10,11 +10,6 @@ namespace naocal {
 
 namespace {
 
-CandidateFinding& findingOf(std::vector<CandidateFinding>& findings, const Term& term) {
-  return *std::find_if(findings.begin(), findings.end(),
-                       [&](const CandidateFinding& finding) { return finding.term.label() == term.label(); });
-}
-
 /// Detection power and limits of a candidate, from its part of the evidence.
 void senseFrom(const GroupEvidence& evidence, double criticalP, CandidateFinding& finding) {
   const Sensitivity sensed = computeSensitivity(evidence, finding.term.sigmas(), criticalP);
@@ -67,7 +62,7 @@ void nameEquivalents(const CandidateTests& last, std::vector<CandidateFinding>& 
   const std::vector<std::size_t> order = last.candidatesByRank();
   for (std::size_t i = 0; i < std::min(few, order.size()) && last.rankingScore(last.candidateEvidence(order[i])) > 0;
        ++i) {
-    CandidateFinding& finding = findingOf(findings, last.candidates()[order[i]]);
+    CandidateFinding& finding = *findFinding(findings, last.candidates()[order[i]].label());
     if (finding.equivalent.empty()) {
       for (std::size_t other : findEquivalents(last, order[i])) {
         finding.equivalent.push_back(last.candidates()[other].label());
@@ -78,18 +73,21 @@ void nameEquivalents(const CandidateTests& last, std::vector<CandidateFinding>& 
 
 } // namespace
 
+CandidateFinding* findFinding(std::vector<CandidateFinding>& findings, const std::string& label) {
+  const auto found = std::find_if(findings.begin(), findings.end(),
+                                  [&](const CandidateFinding& finding) { return finding.term.label() == label; });
+  return found == findings.end() ? nullptr : &*found;
+}
+
 std::vector<CandidateFinding> judgeCandidates(std::vector<CandidateFinding> findings, const CandidateTests& last,
                                               const Model& model, const CalibrationResult& fit,
                                               const std::vector<std::string>& suggested) {
   const double criticalP = last.evidence().criticalP;
   for (std::size_t i = 0; i < last.candidates().size(); ++i) {
-    judgeLeftOut(last.candidateEvidence(i), criticalP, findingOf(findings, last.candidates()[i]));
+    judgeLeftOut(last.candidateEvidence(i), criticalP, *findFinding(findings, last.candidates()[i].label()));
   }
   for (const Term& term : model.terms()) {
-    const auto added = std::find_if(findings.begin(), findings.end(), [&](const CandidateFinding& finding) {
-      return finding.term.label() == term.label();
-    });
-    if (added != findings.end()) {
+    if (CandidateFinding* const added = findFinding(findings, term.label())) {
       judgeAdded(term, fit, criticalP, *added);
     }
   }

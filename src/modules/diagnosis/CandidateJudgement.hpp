@@ -8,6 +8,9 @@
 
 namespace naocal {
 
+/// The finding of the candidate with this label; null without it.
+CandidateFinding* findFinding(std::vector<CandidateFinding>& findings, const std::string& label);
+
 /// Final assessment of each candidate, best first: state, detection power, and equivalent candidates. `last`: tests of
 /// the last `model` at its `fit`; `suggested`: labels in order of addition.
 std::vector<CandidateFinding> judgeCandidates(std::vector<CandidateFinding> findings, const CandidateTests& last,

@@ -2,6 +2,7 @@
 
 #include "calibration/Fit.hpp"
 #include "calibration/ModelUncertainty.hpp"
+#include "diagnosis/CandidateJudgement.hpp"
 #include "diagnosis/anomalies/SetUps.hpp"
 #include "diagnosis/evidence/Aliasing.hpp"
 #include "diagnosis/evidence/Power.hpp"
@@ -164,9 +165,7 @@ std::vector<Term> StepwiseSelection::testableTerms() const {
 }
 
 CandidateFinding& StepwiseSelection::findingOf(const std::string& label) {
-  const auto found = std::find_if(findings_.begin(), findings_.end(),
-                                  [&](const CandidateFinding& finding) { return finding.term.label() == label; });
-  return *found;
+  return *findFinding(findings_, label);
 }
 
 void StepwiseSelection::recordStep(const CandidateTests& candidateTests, Diagnosis& diagnosis) {

@@ -99,18 +99,22 @@ std::string nameOf(const YamlCursor& camera, std::size_t number) {
 
 } // namespace
 
+void readPictureSize(const YamlCursor& at, CameraIntrinsics& lens) {
+  const std::vector<YamlCursor> sides = at.elements();
+  if (sides.size() != 2) {
+    at.refuse("[width, height]", fmt::format("{} numbers", sides.size()));
+  }
+  lens.width = sides[0].integer(1, CameraIntrinsics::mostPixels);
+  lens.height = sides[1].integer(1, CameraIntrinsics::mostPixels);
+}
+
 CameraIntrinsics readKalibrLens(const YamlCursor& at) {
   if (at.at("camera_model").text() != "pinhole") {
     at.at("camera_model").refuse("pinhole, the one model that is known here", at.at("camera_model").text());
   }
   CameraIntrinsics lens;
   const auto intrinsics = at.at("intrinsics").numbers(4);
-  const auto resolution = at.at("resolution").elements();
-  if (resolution.size() != 2) {
-    at.at("resolution").refuse("[width, height]", std::to_string(resolution.size()) + " numbers");
-  }
-  lens.width = resolution[0].integer(1, 100000);
-  lens.height = resolution[1].integer(1, 100000);
+  readPictureSize(at.at("resolution"), lens);
   lens.fx = intrinsics[0];
   lens.fy = intrinsics[1];
   lens.cx = intrinsics[2];

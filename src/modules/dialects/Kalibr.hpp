@@ -19,4 +19,7 @@ ParsedCalibration parseKalibr(const std::string& text, const std::string& file, 
 /// The lens of one camera of such a file.
 CameraIntrinsics readKalibrLens(const YamlCursor& at);
 
+/// Reads [width, height], as kalibr and mrcal write a picture's size.
+void readPictureSize(const YamlCursor& at, CameraIntrinsics& lens);
+
 } // namespace naocal

@@ -33,8 +33,8 @@ json lensJson(const CameraIntrinsics& lens) {
 CameraIntrinsics lensFrom(const JsonCursor& at) {
   constexpr Range focal{1, 1e5, "px"}, centre{-1e5, 1e5, "px"};
   CameraIntrinsics lens;
-  lens.width = at.at("width").integer(1, 100000);
-  lens.height = at.at("height").integer(1, 100000);
+  lens.width = at.at("width").integer(1, CameraIntrinsics::mostPixels);
+  lens.height = at.at("height").integer(1, CameraIntrinsics::mostPixels);
   lens.fx = at.at("fx").number(focal);
   lens.fy = at.at("fy").number(focal);
   lens.cx = at.at("cx").number(centre);

@@ -81,8 +81,8 @@ void readDistortion(const YamlCursor& all, CameraIntrinsics& lens) {
 
 CameraIntrinsics readRosLens(const YamlCursor& all) {
   CameraIntrinsics lens;
-  lens.width = all.at("image_width").integer(1, 100000);
-  lens.height = all.at("image_height").integer(1, 100000);
+  lens.width = all.at("image_width").integer(1, CameraIntrinsics::mostPixels);
+  lens.height = all.at("image_height").integer(1, CameraIntrinsics::mostPixels);
   readMatrix(all.at("camera_matrix"), lens);
   readDistortion(all, lens);
   return lens;

@@ -43,9 +43,9 @@ struct PriorWidth {
 /// nearly as well, together with the offset that distinguishes the two. Without the small ones, each of the six
 /// unknowns of a link's geometry costs 2 ln(plausible size / standard error) of evidence: a tilted axis that explains
 /// half is named instead, or nothing, and offsets that such an effect shifts are called certain. Odds of 0.2 for the
-/// smallest would name causes of misfits that are far below the noise. The first is the usual width, the second the
-/// widest.
-constexpr PriorWidth plausibleWidths[] = {{1, 0.55}, {4, 0.2}, {1.0 / 4, 0.2}, {1.0 / 16, 0.05}};
+/// smallest would name causes of misfits that are far below the noise.
+constexpr PriorWidth usualWidth{1, 0.55}, widestWidth{4, 0.2};
+constexpr PriorWidth plausibleWidths[] = {usualWidth, widestWidth, {1.0 / 4, 0.2}, {1.0 / 16, 0.05}};
 
 /// 2 ln(Bayes factor) of coefficients ~ N(0, width^2), mixed over `plausibleWidths`, against zero coefficients:
 ///   B(width) = |I + width^2 V|^-1/2 exp(s^T (V + width^-2)^-1 s / 2),

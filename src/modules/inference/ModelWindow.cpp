@@ -16,6 +16,7 @@
 #include <numbers>
 #include <numeric>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 namespace naocal {
@@ -26,6 +27,15 @@ constexpr std::size_t mostMembers = 4;
 constexpr double leastWeight = 1e-3; // relative to the likeliest model
 
 using Members = std::vector<WindowMember>;
+
+struct InOrder {
+  bool operator()(const Members& a, const Members& b) const {
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(),
+                                        [](const WindowMember& one, const WindowMember& other) {
+                                          return std::tie(one.group, one.count) < std::tie(other.group, other.count);
+                                        });
+  }
+};
 
 /// The linearised problem at one noise level, as needed for the cost and the estimates of any model. Coefficients and
 /// scores are in units of `plausible`, linearised about zero coefficients.
@@ -45,7 +55,7 @@ public:
     countGroups();
   }
 
-  /// A model with its cost, mixed over all choices of plausible widths; without estimates.
+  /// A model with its cost, mixed over its choices of plausible widths; without estimates.
   WindowModel model(const Members& members) {
     const std::vector<WindowModel> all = modelsOfEveryWidth(members);
     double least = std::numeric_limits<double>::infinity(), sum = 0;
@@ -95,26 +105,21 @@ private:
     }
     return information;
   }
-  /// The model with each choice of widths, costs only. Each effect has a width of its own: an effect with one large
-  /// unknown probably has other large ones, which says nothing about other effects. If two members are numerically
-  /// identical, the factorisation fails and the model gets no weight.
+  /// The model with each of its `widthChoices`, costs only. Each effect has a width of its own: an effect with one
+  /// large unknown probably has other large ones, which says nothing about other effects. If two members are
+  /// numerically identical, the factorisation fails and the model gets no weight.
   std::vector<WindowModel> modelsOfEveryWidth(const Members& members) {
     const std::vector<Eigen::Index> columns = columnsOf(members);
     const Eigen::MatrixXd information = informationOf(members, eigenIndex(columns.size()));
     const Eigen::VectorXd score = score_(columns);
     const double prior = priorCost(members);
     std::vector<WindowModel> result;
-    constexpr std::size_t widths = std::size(plausibleWidths);
-    std::size_t choices = 1;
-    for (std::size_t i = 0; i < members.size(); ++i) {
-      choices *= widths;
-    }
-    for (std::size_t choice = 0; choice < choices; ++choice) {
+    for (const std::vector<PriorWidth>& widths : widthChoices(members)) {
       WindowModel& one = result.emplace_back(WindowModel{.members = members, .cost = prior});
-      for (std::size_t i = 0, digits = choice; i < members.size(); ++i, digits /= widths) {
-        const PriorWidth& width = plausibleWidths[digits % widths];
-        one.widths.push_back(width.width);
-        one.cost += 2 * static_cast<double>(members[i].count) * std::log(width.width) - 2 * std::log(width.odds);
+      for (std::size_t i = 0; i < members.size(); ++i) {
+        one.widths.push_back(widths[i].width);
+        one.cost +=
+            2 * static_cast<double>(members[i].count) * std::log(widths[i].width) - 2 * std::log(widths[i].odds);
       }
       const Eigen::LLT<Eigen::MatrixXd> factor{posteriorPrecision(one, information)};
       one.cost = factor.info() == Eigen::Success
@@ -122,6 +127,39 @@ private:
                      : std::numeric_limits<double>::max();
     }
     return result;
+  }
+  /// Each width of the last member with each choice for the others that is likely without it: all choices would be
+  /// exponential in the members.
+  std::vector<std::vector<PriorWidth>> widthChoices(const Members& members) {
+    if (members.empty()) {
+      return {{}};
+    }
+    std::vector<std::vector<PriorWidth>> result;
+    for (const std::vector<PriorWidth>& others : likelyWidths({members.begin(), members.end() - 1})) {
+      for (const PriorWidth& width : plausibleWidths) {
+        result.push_back(others);
+        result.back().push_back(width);
+      }
+    }
+    return result;
+  }
+  /// Choices of widths with at least `leastWeight` beside the likeliest one, cached per members.
+  const std::vector<std::vector<PriorWidth>>& likelyWidths(const Members& members) {
+    auto [entry, isNew] = likelyWidths_.try_emplace(members);
+    if (isNew) {
+      const std::vector<std::vector<PriorWidth>> choices = widthChoices(members);
+      const std::vector<WindowModel> models = modelsOfEveryWidth(members);
+      double least = std::numeric_limits<double>::infinity();
+      for (const WindowModel& one : models) {
+        least = std::min(least, one.cost);
+      }
+      for (std::size_t i = 0; i < choices.size(); ++i) {
+        if (models[i].cost <= least - 2 * std::log(leastWeight)) {
+          entry->second.push_back(choices[i]);
+        }
+      }
+    }
+    return entry->second;
   }
   /// Adds estimates and misfit to a model that has only its cost.
   WindowModel estimate(WindowModel result) {
@@ -217,7 +255,7 @@ private:
     }
     const std::vector<Eigen::Index> columns = columnsOf(fitted_);
     WindowModel widest{.members = fitted_};
-    widest.widths.assign(fitted_.size(), plausibleWidths[1].width);
+    widest.widths.assign(fitted_.size(), widestWidth.width);
     const Eigen::MatrixXd precision = posteriorPrecision(widest, informationOf(fitted_, eigenIndex(columns.size())));
     const Eigen::VectorXd score = scoreAtFit_(columns);
     return score.dot(precision.ldlt().solve(score));
@@ -251,6 +289,7 @@ private:
   Members fitted_;
   double fromFitToZero_ = 0, chi2OfNone_ = 0, named_ = 1, curves_ = 1;
   std::map<std::size_t, Eigen::MatrixXd> known_;
+  std::map<Members, std::vector<std::vector<PriorWidth>>, InOrder> likelyWidths_;
 };
 
 bool hasGroup(const Members& members, std::size_t group) {

@@ -33,13 +33,8 @@ CameraIntrinsics readMrcal(const std::string& text, const std::string& file) {
     all.at("lensmodel").refuse("LENSMODEL_PINHOLE, LENSMODEL_OPENCV4, LENSMODEL_OPENCV5 or LENSMODEL_OPENCV8", model);
   }
   const std::vector<double> numbers = all.at("intrinsics").numbers(4 + found->second); // fx, fy, cx, cy, distortion
-  const std::vector<YamlCursor> size = all.at("imagersize").elements();
-  if (size.size() != 2) {
-    all.at("imagersize").refuse("a width and a height", fmt::format("{} numbers", size.size()));
-  }
   CameraIntrinsics lens;
-  lens.width = size[0].integer(1, 99'999);
-  lens.height = size[1].integer(1, 99'999);
+  readPictureSize(all.at("imagersize"), lens);
   lens.fx = numbers[0];
   lens.fy = numbers[1];
   lens.cx = numbers[2];

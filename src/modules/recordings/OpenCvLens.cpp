@@ -43,15 +43,6 @@ std::vector<double> numbersOf(const YamlCursor& value) {
   return value.at("data").numbers(static_cast<std::size_t>(rows) * columns);
 }
 
-Lookup yamlLookup(std::string text, const std::string& file) {
-  if (text.starts_with('%')) {
-    text[0] = '#'; // "%YAML:1.0" of OpenCV is no directive of YAML, which has a space
-  }
-  return [all = YamlCursor{text, file}](const std::string& name) {
-    return all.has(name) ? std::optional{numbersOf(all.at(name))} : std::nullopt;
-  };
-}
-
 // XML
 
 /// The words of an element, or of an element within it.
@@ -91,17 +82,6 @@ std::vector<double> numbersOf(const TiXmlElement& element, const std::string& fi
   return numbers;
 }
 
-Lookup xmlLookup(const std::string& text, const std::string& file) {
-  const TiXmlDocument document = parseXml(text, file, "a file of OpenCV's FileStorage");
-  if (document.FirstChildElement("opencv_storage") == nullptr) {
-    throw InputError{fmt::format("{}: expected the element <opencv_storage>, found none", file)};
-  }
-  return [document, file](const std::string& name) -> std::optional<std::vector<double>> {
-    const TiXmlElement* const element = document.FirstChildElement("opencv_storage")->FirstChildElement(name.c_str());
-    return element == nullptr ? std::nullopt : std::optional{numbersOf(*element, file)};
-  };
-}
-
 // both
 
 std::vector<double> find(const Lookup& lookup, const std::vector<std::string>& names, const std::string& file) {
@@ -115,22 +95,14 @@ std::vector<double> find(const Lookup& lookup, const std::vector<std::string>& n
 
 int findSide(const Lookup& lookup, const std::vector<std::string>& names, const std::string& file) {
   const std::vector<double> side = find(lookup, names, file);
-  if (side.size() != 1 || !(side[0] >= 1 && side[0] < 100'000)) {
-    refuse(file, names.front(), "a picture's size of 1 to 99999 px", fmt::format("{}", fmt::join(side, ", ")));
+  if (side.size() != 1 || !(side[0] >= 1 && side[0] <= CameraIntrinsics::mostPixels)) {
+    refuse(file, names.front(), fmt::format("a picture's size of 1 to {} px", CameraIntrinsics::mostPixels),
+           fmt::format("{}", fmt::join(side, ", ")));
   }
   return static_cast<int>(side[0]);
 }
 
-} // namespace
-
-bool isOpenCvStorage(const std::string& text) {
-  return text.starts_with("%YAML:1") || text.find("<opencv_storage") != text.npos ||
-         text.find("opencv-matrix") != text.npos;
-}
-
-CameraIntrinsics readOpenCvLens(const std::string& text, const std::string& file) {
-  const bool isXml = text.find("<opencv_storage") != text.npos;
-  const Lookup lookup = isXml ? xmlLookup(text, file) : yamlLookup(text, file);
+CameraIntrinsics readLens(const Lookup& lookup, const std::string& file) {
   CameraIntrinsics lens;
   lens.width = findSide(lookup, {"image_width", "imageWidth", "image_Width"}, file);
   lens.height = findSide(lookup, {"image_height", "imageHeight", "image_Height"}, file);
@@ -146,6 +118,41 @@ CameraIntrinsics readOpenCvLens(const std::string& text, const std::string& file
       find(lookup, {"distortion_coefficients", "dist_coeffs", "distCoeffs", "Distortion_Coefficients", "D"}, file),
       file, lens);
   return lens;
+}
+
+CameraIntrinsics readYamlLens(std::string text, const std::string& file) {
+  if (text.starts_with('%')) {
+    text[0] = '#'; // "%YAML:1.0" of OpenCV is no directive of YAML, which has a space
+  }
+  const YamlCursor all{text, file};
+  const auto lookup = [&](const std::string& name) {
+    return all.has(name) ? std::optional{numbersOf(all.at(name))} : std::nullopt;
+  };
+  return readLens(lookup, file);
+}
+
+CameraIntrinsics readXmlLens(const std::string& text, const std::string& file) {
+  const TiXmlDocument document = parseXml(text, file, "a file of OpenCV's FileStorage");
+  const TiXmlElement* const storage = document.FirstChildElement("opencv_storage");
+  if (storage == nullptr) {
+    throw InputError{fmt::format("{}: expected the element <opencv_storage>, found none", file)};
+  }
+  const auto lookup = [&](const std::string& name) {
+    const TiXmlElement* const element = storage->FirstChildElement(name.c_str());
+    return element == nullptr ? std::nullopt : std::optional{numbersOf(*element, file)};
+  };
+  return readLens(lookup, file);
+}
+
+} // namespace
+
+bool isOpenCvStorage(const std::string& text) {
+  return text.starts_with("%YAML:1") || text.find("<opencv_storage") != text.npos ||
+         text.find("opencv-matrix") != text.npos;
+}
+
+CameraIntrinsics readOpenCvLens(const std::string& text, const std::string& file) {
+  return text.find("<opencv_storage") != text.npos ? readXmlLens(text, file) : readYamlLens(text, file);
 }
 
 void setDistortion(const std::vector<double>& coefficients, const std::string& file, CameraIntrinsics& lens) {

@@ -66,8 +66,8 @@ void addTaken(const JsonCursor& diagnosis, json& data) {
   }
   if (const auto cameras = diagnosis.find("cameras")) {
     for (const auto& [name, camera] : cameras->members()) {
-      data["cameras"][name] = {{"width", camera.at("width").integer(1, 100000)},
-                               {"height", camera.at("height").integer(1, 100000)}};
+      data["cameras"][name] = {{"width", camera.at("width").integer(1, CameraIntrinsics::mostPixels)},
+                               {"height", camera.at("height").integer(1, CameraIntrinsics::mostPixels)}};
     }
   }
 }

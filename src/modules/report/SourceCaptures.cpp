@@ -64,8 +64,8 @@ PictureRecord seenPicture(const JsonCursor& place, const JsonCursor& cameras) {
   picture.camera = place.at("camera").text();
   picture.image = label(place.at("image"));
   const JsonCursor camera = cameras.at(picture.set).at(picture.camera);
-  picture.width = camera.at("width").integer(1, 100000);
-  picture.height = camera.at("height").integer(1, 100000);
+  picture.width = camera.at("width").integer(1, CameraIntrinsics::mostPixels);
+  picture.height = camera.at("height").integer(1, CameraIntrinsics::mostPixels);
   return picture;
 }
 

@@ -6,7 +6,7 @@
 #include "math/LinearAlgebra.hpp"
 #include "robot/RobotOfSet.hpp"
 #include "scenes/ScenePictures.hpp"
-#include "scenes/SceneSetter.hpp"
+#include "scenes/ScenePlacement.hpp"
 #include "simulation/SyntheticCamera.hpp"
 
 #include <algorithm>
@@ -114,7 +114,7 @@ std::string sufficientSight(const RobotScene& scene) {
 }
 
 TrueRobot::TrueRobot(const RobotScene& scene, const ScenePlan& plan)
-    : plan_{plan}, set_{SceneSetter{scene, plan}.set()}, robot_{loadRobot(set_)}, poses_{robot_, scene, plan.seed},
+    : plan_{plan}, set_{placeScene(scene, plan)}, robot_{loadRobot(set_)}, poses_{robot_, scene, plan.seed},
       readings_{listReadings(set_)}, touches_{listTouches(set_)} {
   if (readings_.empty() && touches_.empty()) {
     throw InputError{

@@ -1,11 +1,33 @@
-#include "scenes/SceneSetter.hpp"
+#include "scenes/ScenePlacement.hpp"
+
+#include "math/Sampling.hpp"
+
+#include <optional>
+#include <string>
 
 namespace naocal {
 
-SceneSetter::SceneSetter(const RobotScene& scene, const ScenePlan& plan)
-    : scene_{scene}, spread_{plan.spread}, chance_{plan.sceneSeed.value_or(plan.seed), "scene"} {}
+namespace {
 
-CaptureSet SceneSetter::set() {
+class ScenePlacement {
+public:
+  ScenePlacement(const RobotScene& scene, const ScenePlan& plan)
+      : scene_{scene}, spread_{plan.spread}, chance_{plan.sceneSeed.value_or(plan.seed), "scene"} {}
+
+  CaptureSet set();
+
+private:
+  Placement draw(const std::string& name, const std::optional<Placement>& given, const std::optional<Placement>& guess,
+                 bool isFlat);
+  Placement spread(Placement placement, bool isFlat);
+  Eigen::Vector3d drawPoint(const std::string& name, const Eigen::Vector3d& guess);
+
+  const RobotScene& scene_;
+  double spread_;
+  RandomStream chance_;
+};
+
+CaptureSet ScenePlacement::set() {
   CaptureSet placed = scene_.set;
   for (Board& board : placed.boards) {
     const auto guess = board.hasGuess ? std::optional{board.placementGuess} : std::nullopt;
@@ -37,13 +59,13 @@ CaptureSet SceneSetter::set() {
   return placed;
 }
 
-Placement SceneSetter::draw(const std::string& name, const std::optional<Placement>& given,
-                            const std::optional<Placement>& guess, bool isFlat) {
+Placement ScenePlacement::draw(const std::string& name, const std::optional<Placement>& given,
+                               const std::optional<Placement>& guess, bool isFlat) {
   const auto about = scene_.about.find(name);
   return given ? *given : spread(about == scene_.about.end() ? guess.value() : about->second, isFlat);
 }
 
-Placement SceneSetter::spread(Placement placement, bool isFlat) {
+Placement ScenePlacement::spread(Placement placement, bool isFlat) {
   const double shift = 0.03 * spread_, turn = 0.1 * spread_; // [m], [rad]
   for (double Placement::*const value : {&Placement::x, &Placement::y, &Placement::z}) {
     placement.*value += isFlat && value == &Placement::z ? 0 : chance_.uniformWithin(shift);
@@ -54,7 +76,7 @@ Placement SceneSetter::spread(Placement placement, bool isFlat) {
   return placement;
 }
 
-Eigen::Vector3d SceneSetter::drawPoint(const std::string& name, const Eigen::Vector3d& guess) {
+Eigen::Vector3d ScenePlacement::drawPoint(const std::string& name, const Eigen::Vector3d& guess) {
   const double shift = 0.01 * spread_; // [m]
   const auto about = scene_.about.find(name);
   Eigen::Vector3d point = guess;
@@ -65,6 +87,12 @@ Eigen::Vector3d SceneSetter::drawPoint(const std::string& name, const Eigen::Vec
     coordinate += chance_.uniformWithin(shift);
   }
   return point;
+}
+
+} // namespace
+
+CaptureSet placeScene(const RobotScene& scene, const ScenePlan& plan) {
+  return ScenePlacement{scene, plan}.set();
 }
 
 } // namespace naocal
