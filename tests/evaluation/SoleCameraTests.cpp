@@ -1,6 +1,6 @@
 #include "RobotV6.hpp"
 #include "evaluation/ThesisStageFor.hpp"
-#include "evaluation/ThesisTrial.hpp"
+#include "evaluation/thesis/ThesisTrial.hpp"
 #include "math/LinearAlgebra.hpp"
 
 #include <catch2/catch.hpp>

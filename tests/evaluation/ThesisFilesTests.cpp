@@ -1,7 +1,7 @@
 #include "RobotV6.hpp"
 #include "TemporaryFolder.hpp"
 #include "evaluation/Proportion.hpp"
-#include "evaluation/ThesisFiles.hpp"
+#include "evaluation/thesis/ThesisFiles.hpp"
 #include "io/Files.hpp"
 #include "io/InputError.hpp"
 #include "math/Angles.hpp"

@@ -1,5 +1,5 @@
 #include "evaluation/ThesisStageFor.hpp"
-#include "evaluation/ThesisTrial.hpp"
+#include "evaluation/thesis/ThesisTrial.hpp"
 #include "math/LinearAlgebra.hpp"
 #include "simulation/RobotErrors.hpp"
 #include "simulation/SimulationPlan.hpp"

@@ -1,6 +1,7 @@
 #include "RobotV6.hpp"
 #include "evaluation/ThesisStageFor.hpp"
-#include "evaluation/ThesisTrial.hpp"
+#include "evaluation/thesis/ThesisPoses.hpp"
+#include "evaluation/thesis/ThesisTrial.hpp"
 #include "math/Angles.hpp"
 #include "simulation/SimulationPlan.hpp"
 

@@ -1,7 +1,8 @@
 #pragma once
 
 #include "RobotV6.hpp"
-#include "evaluation/ThesisExperiment.hpp"
+#include "evaluation/thesis/ThesisExperiment.hpp"
+#include "evaluation/thesis/ThesisPoses.hpp"
 
 #include <map>
 

@@ -1,6 +1,6 @@
 #include "TemporaryFolder.hpp"
 #include "evaluation/ThesisStageFor.hpp"
-#include "evaluation/ThesisTables.hpp"
+#include "evaluation/thesis/ThesisTables.hpp"
 #include "io/Files.hpp"
 #include "io/InputError.hpp"
 

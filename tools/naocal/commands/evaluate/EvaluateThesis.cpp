@@ -8,9 +8,10 @@
 #include "console/Progress.hpp"
 #include "console/print/PrintText.hpp"
 #include "console/print/PrintThesis.hpp"
-#include "evaluation/ThesisExperiment.hpp"
-#include "evaluation/ThesisFiles.hpp"
-#include "evaluation/ThesisTables.hpp"
+#include "evaluation/thesis/ThesisExperiment.hpp"
+#include "evaluation/thesis/ThesisFiles.hpp"
+#include "evaluation/thesis/ThesisPoses.hpp"
+#include "evaluation/thesis/ThesisTables.hpp"
 #include "io/InputError.hpp"
 #include "math/Angles.hpp"
 

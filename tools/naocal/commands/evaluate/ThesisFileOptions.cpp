@@ -3,7 +3,8 @@
 #include "console/OutputFiles.hpp"
 
 #include "command-line/OptionChecks.hpp"
-#include "evaluation/ThesisFiles.hpp"
+#include "evaluation/thesis/ThesisFiles.hpp"
+#include "evaluation/thesis/ThesisPoses.hpp"
 #include "io/Files.hpp"
 #include "io/InputError.hpp"
 #include "math/Angles.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "evaluation/ThesisExperiment.hpp"
+#include "evaluation/thesis/ThesisExperiment.hpp"
 
 #include <CLI/App.hpp>
 #include <cstdint>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "evaluation/ThesisTables.hpp"
+#include "evaluation/thesis/ThesisTables.hpp"
 
 namespace naocal {
 

@@ -1,4 +1,4 @@
-#include "evaluation/ResidualMap.hpp"
+#include "evaluation/thesis/ResidualMap.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
-#include "evaluation/HeldOutPoses.hpp"
+#include "evaluation/thesis/HeldOutPoses.hpp"
 
-#include "evaluation/ThesisProgram.hpp"
+#include "evaluation/thesis/ThesisProgram.hpp"
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
-#include "evaluation/ProgramSolver.hpp"
+#include "evaluation/thesis/ProgramSolver.hpp"
 
-#include "evaluation/ThesisProgram.hpp"
+#include "evaluation/thesis/ThesisProgram.hpp"
 #include "math/Angles.hpp"
 #include "math/LinearAlgebra.hpp"
 

@@ -1,4 +1,4 @@
-#include "evaluation/ThesisTables.hpp"
+#include "evaluation/thesis/ThesisTables.hpp"
 
 #include "evaluation/Proportion.hpp"
 #include "io/FileVersion.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "evaluation/ThesisTrial.hpp"
+#include "evaluation/thesis/ThesisTrial.hpp"
 
 #include <array>
 #include <cstdint>

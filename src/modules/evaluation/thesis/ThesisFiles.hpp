@@ -1,7 +1,7 @@
 #pragma once
 
-#include "evaluation/ThesisProgram.hpp"
-#include "evaluation/ThesisTrial.hpp"
+#include "evaluation/thesis/ThesisProgram.hpp"
+#include "evaluation/thesis/ThesisTrial.hpp"
 
 #include <Eigen/Core>
 #include <filesystem>

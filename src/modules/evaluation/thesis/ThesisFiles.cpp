@@ -1,4 +1,4 @@
-#include "evaluation/ThesisFiles.hpp"
+#include "evaluation/thesis/ThesisFiles.hpp"
 
 #include "io/Files.hpp"
 #include "io/InputError.hpp"

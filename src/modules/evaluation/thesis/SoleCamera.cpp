@@ -1,4 +1,4 @@
-#include "evaluation/SoleCamera.hpp"
+#include "evaluation/thesis/SoleCamera.hpp"
 
 #include "math/LinearAlgebra.hpp"
 

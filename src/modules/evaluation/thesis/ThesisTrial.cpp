@@ -1,8 +1,8 @@
-#include "evaluation/ThesisTrial.hpp"
+#include "evaluation/thesis/ThesisTrial.hpp"
 
 #include "estimation/Residuals.hpp"
 #include "evaluation/GlobalSearch.hpp"
-#include "evaluation/ThesisExperiment.hpp"
+#include "evaluation/thesis/ThesisExperiment.hpp"
 #include "math/Angles.hpp"
 #include "math/LevenbergMarquardt.hpp"
 #include "math/LinearAlgebra.hpp"

@@ -1,13 +1,11 @@
 #pragma once
 
 #include "estimation/Residuals.hpp"
-#include "evaluation/SoleCamera.hpp"
-#include "evaluation/ThesisProgram.hpp"
-#include "evaluation/ThesisSetting.hpp"
+#include "evaluation/thesis/NoiseOfSetting.hpp"
+#include "evaluation/thesis/SoleCamera.hpp"
+#include "evaluation/thesis/ThesisScene.hpp"
 #include "math/Sampling.hpp"
 #include "measurements/Measurements.hpp"
-#include "measurements/Noise.hpp"
-#include "poses/candidates/PlanningScene.hpp"
 
 #include <array>
 #include <functional>
@@ -16,35 +14,6 @@
 
 namespace naocal {
 
-/// Encoder-space angle that a joint actually reaches, and the reported reading [rad].
-struct AngleReading {
-  double raw, reported;
-};
-
-/// Noise of a drawn corner, 1 sigma per axis [px], where a single one has `pixel`: that of the mean of all that
-/// coincide.
-double cornerNoise(const ThesisSetting& setting, double pixel);
-
-/// Measurement noise of a setting, known to our solver. Noiseless quantities get a small value to keep the problem
-/// regular: 0.01 px, or 0.03 px if angles are noisy. The program's n samples of a pose, which share their corners'
-/// noise, have cornerNoise * sqrt(n): together they tell what one does.
-Noise thesisNoise(const ThesisSetting& setting, double pixel);
-
-/// Simulates a commanded joint: it stops within half an encoder step of the command; the reading has the setting's
-/// noise and is rounded to 12 bits (4.1). Exact without joint noise.
-AngleReading readAngle(double commanded, const ThesisSetting& setting, RandomStream& chance);
-
-/// Targets on the floor, placements in the left sole's frame, and visibility limits.
-struct ThesisScene {
-  std::vector<Board> targets;
-  std::map<std::string, CameraIntrinsics> cameras;
-  VisibilityLimits limits;
-  bool hasHorizonTest = false; // pictures need to pass passesHorizonTest
-};
-
-/// Number of coinciding points of a feature.
-std::size_t copiesOf(ThesisFeature feature);
-
 /// What a run reads from files, or selects once for all settings.
 struct ThesisInputs {
   std::vector<FloorPattern> features;   // of ThesisFeature::file
@@ -52,32 +21,11 @@ struct ThesisInputs {
   std::vector<Eigen::VectorXd> heldOut; // poses to test calibrations, angles per joint of the experiment [rad]
 };
 
-/// Stable poses of the left foot in which the thesis's program would use the picture: angles per name [rad]. They
-/// differ from the poses of calibrations. Throws InputError if there are fewer than `count`.
-std::vector<Eigen::VectorXd> selectHeldOutPoses(const Robot& robot, const std::vector<std::string>& names,
-                                                std::size_t count);
-
-/// Angles of all joints [rad], with these joints at these angles and all others at zero.
-Eigen::VectorXd anglesOfAll(const Robot& robot, const std::vector<std::string>& names, const Eigen::VectorXd& angles);
-
 /// A pose: support foot and angles per joint [rad].
 struct ThesisPose {
   SupportFoot foot = SupportFoot::left;
   Eigen::VectorXd angles;
 };
-
-/// The poses of a setting: the first ones of `chosen` (selectThesisPoses), for both legs also their mirror images.
-std::vector<ThesisPose> posesForSetting(const ThesisSetting& setting, const Robot& robot,
-                                        const std::vector<Eigen::VectorXd>& chosen);
-
-/// Selects stable poses in which all of 40 robots with random offsets up to 6.5 degrees see at least 24 corners. Greedy
-/// D-optimal selection: each pose adds the most information about the offsets, averaged over these robots (0.3 px
-/// corner noise, encoder noise marginalised). With PoseChoice::chain: the thesis's chain among the same poses, by
-/// similarity of joint rotations to the drawn robot's cameras. Both are nested: the first three are the selection of
-/// three. With PoseChoice::program: all poses of the thesis's program (programPoses), whatever the count. Throws
-/// InputError if there are fewer than `count` such poses.
-std::vector<Eigen::VectorXd> selectThesisPoses(const Robot& robot, ThesisFeature feature, PoseChoice choice,
-                                               std::size_t count);
 
 /// The thesis's experiment: floor points or boards around a robot on its left foot, at known places unless the setting
 /// says otherwise; a robot with joint offsets observes them in several poses with both cameras at 640 x 480. The 8

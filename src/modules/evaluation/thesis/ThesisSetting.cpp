@@ -1,4 +1,4 @@
-#include "evaluation/ThesisSetting.hpp"
+#include "evaluation/thesis/ThesisSetting.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "evaluation/SoleCamera.hpp"
+#include "evaluation/thesis/SoleCamera.hpp"
 #include "math/Sampling.hpp"
 
 #include <Eigen/Core>

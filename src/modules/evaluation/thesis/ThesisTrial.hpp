@@ -1,9 +1,9 @@
 #pragma once
 
-#include "evaluation/HeldOutPoses.hpp"
-#include "evaluation/ProgramSolver.hpp"
-#include "evaluation/ResidualMap.hpp"
-#include "evaluation/ThesisExperiment.hpp"
+#include "evaluation/thesis/HeldOutPoses.hpp"
+#include "evaluation/thesis/ProgramSolver.hpp"
+#include "evaluation/thesis/ResidualMap.hpp"
+#include "evaluation/thesis/ThesisExperiment.hpp"
 
 #include <cstdint>
 #include <memory>

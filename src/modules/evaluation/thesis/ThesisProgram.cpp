@@ -1,4 +1,4 @@
-#include "evaluation/ThesisProgram.hpp"
+#include "evaluation/thesis/ThesisProgram.hpp"
 
 #include "io/InputError.hpp"
 #include "math/Angles.hpp"
