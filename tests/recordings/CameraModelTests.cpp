@@ -135,7 +135,7 @@ TEST_CASE("other lens models and broken files are refused by name") {
       {with(openCvXml, "600.5", "wide"), "cameraMatrix: expected finite numbers, found \"wide 0. 321.25"},
       {with(openCvXml, "<data>0.1 -0.2 0.001 0.002 0.03</data>", ""), "distCoeffs: expected <data> with a value"},
       {with(openCvXml, "<image_width>640", "<image_width>"), "image_width: expected a number, found none"},
-      {with(mrcal, "[ 640, 480,]", "[ 1e300, 480,]"), "imagersize[0]: expected a whole number from 1 to 99999"},
+      {with(mrcal, "[ 640, 480,]", "[ 1e300, 480,]"), "imagersize[0]: expected a whole number from 1 to 100000"},
       {"hello: 1\n", "camera_matrix (ROS), cam0 (kalibr) or lensmodel (mrcal)"},
   };
   for (const Broken& broken : all) {
