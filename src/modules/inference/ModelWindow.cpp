@@ -16,7 +16,6 @@
 #include <numbers>
 #include <numeric>
 #include <optional>
-#include <tuple>
 #include <utility>
 
 namespace naocal {
@@ -27,15 +26,6 @@ constexpr std::size_t mostMembers = 4;
 constexpr double leastWeight = 1e-3; // relative to the likeliest model
 
 using Members = std::vector<WindowMember>;
-
-struct InOrder {
-  bool operator()(const Members& a, const Members& b) const {
-    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(),
-                                        [](const WindowMember& one, const WindowMember& other) {
-                                          return std::tie(one.group, one.count) < std::tie(other.group, other.count);
-                                        });
-  }
-};
 
 /// The linearised problem at one noise level, as needed for the cost and the estimates of any model. Coefficients and
 /// scores are in units of `plausible`, linearised about zero coefficients.
@@ -58,10 +48,8 @@ public:
   /// A model with its cost, mixed over its choices of plausible widths; without estimates.
   WindowModel model(const Members& members) {
     const std::vector<WindowModel> all = modelsOfEveryWidth(members);
-    double least = std::numeric_limits<double>::infinity(), sum = 0;
-    for (const WindowModel& one : all) {
-      least = std::min(least, one.cost);
-    }
+    const double least = leastCost(all);
+    double sum = 0;
     for (const WindowModel& one : all) {
       sum += std::exp((least - one.cost) / 2);
     }
@@ -95,6 +83,13 @@ public:
   double fromFitToZero() const { return fromFitToZero_; }
 
 private:
+  static double leastCost(const std::vector<WindowModel>& models) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const WindowModel& one : models) {
+      least = std::min(least, one.cost);
+    }
+    return least;
+  }
   /// Posterior precision of the members' sizes, in units of what is plausible: information + 1 / width^2.
   static Eigen::MatrixXd posteriorPrecision(const WindowModel& model, Eigen::MatrixXd information) {
     Eigen::Index column = 0;
@@ -149,10 +144,7 @@ private:
     if (isNew) {
       const std::vector<std::vector<PriorWidth>> choices = widthChoices(members);
       const std::vector<WindowModel> models = modelsOfEveryWidth(members);
-      double least = std::numeric_limits<double>::infinity();
-      for (const WindowModel& one : models) {
-        least = std::min(least, one.cost);
-      }
+      const double least = leastCost(models);
       for (std::size_t i = 0; i < choices.size(); ++i) {
         if (models[i].cost <= least - 2 * std::log(leastWeight)) {
           entry->second.push_back(choices[i]);
@@ -289,7 +281,7 @@ private:
   Members fitted_;
   double fromFitToZero_ = 0, chi2OfNone_ = 0, named_ = 1, curves_ = 1;
   std::map<std::size_t, Eigen::MatrixXd> known_;
-  std::map<Members, std::vector<std::vector<PriorWidth>>, InOrder> likelyWidths_;
+  std::map<Members, std::vector<std::vector<PriorWidth>>> likelyWidths_;
 };
 
 bool hasGroup(const Members& members, std::size_t group) {

@@ -13,6 +13,8 @@ namespace naocal {
 struct WindowMember {
   std::size_t group = 0;
   Eigen::Index count = 0;
+
+  auto operator<=>(const WindowMember&) const = default;
 };
 
 /// One explanation of the captures: the model's own unknowns plus some effects and curves, each with a prior width.
