@@ -22,6 +22,12 @@ double residentMemory() {
   return 1e-6 * resident * double(::sysconf(_SC_PAGESIZE));
 }
 
+/// Memory that the program has allocated and not freed [MB]; unlike the resident memory without gaps of the allocator.
+double allocatedMemory() {
+  const struct mallinfo2 info = ::mallinfo2();
+  return 1e-6 * double(info.uordblks + info.hblkhd);
+}
+
 /// Processor time of this process or thread [s].
 double processorTime(int who) {
   rusage usage{};
@@ -73,7 +79,7 @@ TEST_CASE("whether a robot that calibrates again and again grows or slows down",
   const char* seconds = std::getenv("SOAK_SECONDS");
   const TimePoint end = Clock::now() + std::chrono::seconds{seconds != nullptr ? std::atoi(seconds) : 86400};
   SimulatedProcess simulated{SimulatedProcess::plan(1, radians(1))};
-  std::vector<double> memory, processor, ratio, wall;
+  std::vector<double> memory, allocated, processor, ratio, wall;
   int count = 0, finished = 0;
   for (int i = 0; i < most && Clock::now() < end; ++i) {
     ++count;
@@ -84,6 +90,7 @@ TEST_CASE("whether a robot that calibrates again and again grows or slows down",
     std::filesystem::remove_all(simulated.folder.path() / "recordings");
     ::malloc_trim(0); // freed memory that the allocator keeps is no leak
     memory.push_back(residentMemory());
+    allocated.push_back(allocatedMemory());
     processor.push_back(processorTime(RUSAGE_SELF) - processorBefore);
     wall.push_back(toSeconds(Clock::now() - begin));
     ratio.push_back(processor.back() / referenceTime());
@@ -95,13 +102,14 @@ TEST_CASE("whether a robot that calibrates again and again grows or slows down",
       std::fflush(stdout);
     }
   }
-  for (std::vector<double>* values : {&memory, &processor, &ratio, &wall}) {
+  for (std::vector<double>* values : {&memory, &allocated, &processor, &ratio, &wall}) {
     values->erase(values->begin(), values->begin() + std::ptrdiff_t(values->size() / 5));
   }
-  fmt::print("{} of {} ended in words\nmemory: {}\nprocessor time of a calibration: {}\nthe same over that of a fixed "
+  fmt::print("{} of {} ended in words\nresident memory: {}\nallocated memory: {}\nprocessor time of a calibration: "
+             "{}\nthe same over that of a fixed "
              "computation: {}\nwall time: {}\n",
-             finished, count, slopeOf(memory, "MB"), slopeOf(processor, "s"), slopeOf(ratio, "times"),
-             slopeOf(wall, "s"));
+             finished, count, slopeOf(memory, "MB"), slopeOf(allocated, "MB"), slopeOf(processor, "s"),
+             slopeOf(ratio, "times"), slopeOf(wall, "s"));
 }
 
 } // namespace naocal
