@@ -8,7 +8,6 @@
 #include "runs/RunFile.hpp"
 #include "runs/RunFolder.hpp"
 
-#include <algorithm>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
