@@ -143,7 +143,8 @@ void CalibrationRunner::watchPlayer() {
       jobs_.recordFall();
     }
   }
-  if (state_->isRunning() && player_.request == requests_ && !player_.reason.empty()) {
+  const bool moves = state_->kind != "undo"; // what stopped the robot earlier does not stop an undo
+  if (state_->isRunning() && moves && player_.request == requests_ && !player_.reason.empty()) {
     jobs_.abandon();
     enter(Phase::failed, fmt::format("The calibration ended. {}", player_.reason));
   }

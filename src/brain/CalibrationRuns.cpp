@@ -55,8 +55,7 @@ void CalibrationRuns::recordCalibration(const Calibration& calibration) {
 void CalibrationRuns::recordUndo(const std::map<std::string, double>& before) {
   record([&] {
     Run run = begin(std::string{undoKind});
-    const RecordedRuns recorded = RunFolder{recording_.folder}.read();
-    run.undoes = findRunOf(before, recording_.robot, recorded.runs).value_or("");
+    run.undoes = findRunOf(before, recording_.robot, readNewest(mostSearched)).value_or("");
     run.set = readConfiguredOffsets(configuration_);
     return run;
   });
@@ -89,12 +88,16 @@ void CalibrationRuns::publishNewest() {
   if (recording_.folder.empty()) {
     return;
   }
-  const auto isOurs = [&](const Run& run) { return run.robot.bodyId == recording_.robot.bodyId; };
   try {
-    published_.write({RunFolder{recording_.folder}.readNewest(mostPublished, isOurs)});
+    published_.write({readNewest(mostPublished)});
   } catch (const std::exception& error) {
     recording_.log(fmt::format("The robot's earlier runs are not shown: {}.", error.what()));
   }
+}
+
+std::vector<Run> CalibrationRuns::readNewest(std::size_t most) const {
+  return RunFolder{recording_.folder}.readNewest(
+      most, [&](const Run& run) { return isSameRobot(run.robot, recording_.robot); });
 }
 
 Run CalibrationRuns::begin(std::string kind) const {

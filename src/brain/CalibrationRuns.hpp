@@ -34,6 +34,7 @@ void to_json(nlohmann::json& out, const PublishedRuns& published);
 class CalibrationRuns {
 public:
   static constexpr std::size_t mostPublished = 10;
+  static constexpr std::size_t mostSearched = 100; // for the run that an undo takes back: usually the newest
 
   /// The configuration must outlive it.
   CalibrationRuns(RunRecording recording, const Configuration& configuration)
@@ -61,6 +62,8 @@ public:
 
 private:
   void record(const std::function<Run()>& make);
+  /// This robot's newest runs by time.
+  std::vector<Run> readNewest(std::size_t most) const;
   Run begin(std::string kind) const;
 
   RunRecording recording_;

@@ -208,7 +208,8 @@ void PosePlayer::stop(Stage stage, const std::string& reason) {
            .needsHands = state.needsHands,
            .home = home_,
            .reason = reason,
-           .presses = state.presses};
+           .presses = state.presses,
+           .falls = state.falls};
   enter(stage);
   desired_.edit().stiffness = stage == Stage::off ? 0 : stage == Stage::fallen ? *fallenStiffness_ : *stiffness_;
 }

@@ -142,7 +142,7 @@ TEST_CASE("a touched robot stops and holds until its chest button sends it home"
 }
 
 TEST_CASE("a tilted robot's motors become weak, and it starts again only from its stand") {
-  // Proves the reaction to a fall, and the restart.
+  // Proves the reaction to a fall, that it is counted once, and the restart.
   MotionRig rig;
   rig.stand();
   rig.ask(Kind::go, {MotionRig::looking(40, 0)});
@@ -153,6 +153,8 @@ TEST_CASE("a tilted robot's motors become weak, and it starts again only from it
   CHECK(rig.robot.sent.back().stiffness[yaw] == 0.1);
   CHECK(rig.see.player->reason == "The torso is tilted by 50 degrees, so the motors are weak. Stand the robot up and "
                                   "start again.");
+  rig.cycles(5);
+  CHECK(rig.see.player->falls == 1);
   rig.robot.state.torsoAngles.y() = 0;
   rig.ask(Kind::go, {MotionRig::looking(0, 10)});
   CHECK(rig.see.player->phase == Phase::fallen); // its head is still turned

@@ -177,7 +177,7 @@ TEST_CASE("a fault of the robot ends a calibration with a sentence, a robot at i
 }
 
 TEST_CASE("a robot that falls while it calibrates makes its motors weak and says so", "[robot]") {
-  // Proves it for a tilt beyond the limit while pictures are taken.
+  // Proves it for a tilt beyond the limit while pictures are taken, and that the history then has one fall.
   Faulty faulty;
   REQUIRE(faulty.untilPose(2)["phase"] == "collecting");
   faulty.robot.inject([](RobotState& state) { state.torsoAngles.y() = radians(50); });
@@ -187,6 +187,10 @@ TEST_CASE("a robot that falls while it calibrates makes its motors weak and says
         "robot up and start again.");
   CHECK(faulty.playerComesTo("phase", "fallen"));
   CHECK_FALSE(faulty.hasChanged());
+  faulty.process->stop();
+  faulty.process.reset(); // runs are recorded on a thread of their own
+  REQUIRE(faulty.runs().size() == 1);
+  CHECK(faulty.runs().front().kind == fallKind);
 }
 
 TEST_CASE("a camera that repeats a picture or is covered is waited for, and says what it needs", "[robot]") {

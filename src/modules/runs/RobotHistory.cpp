@@ -11,10 +11,6 @@ namespace naocal {
 
 namespace {
 
-bool isSameRobot(const RunRobot& a, const RunRobot& b) {
-  return !a.bodyId.empty() && !b.bodyId.empty() ? a.bodyId == b.bodyId : a.body == b.body;
-}
-
 /// Marks the runs that an undo names, and drops those undos.
 void applyUndos(RobotHistory& history) {
   std::map<std::string, HistoricRun*> kept; // by id

@@ -21,6 +21,10 @@ std::string plainWords(std::string_view text, std::size_t longest) {
 
 } // namespace
 
+bool isSameRobot(const RunRobot& a, const RunRobot& b) {
+  return !a.bodyId.empty() && !b.bodyId.empty() ? a.bodyId == b.bodyId : a.body == b.body;
+}
+
 std::string makeRunId(const Run& run) {
   return fmt::format("{:%Y-%m-%d_%H-%M-%S}_{}_{}", fmt::gmtime(run.time), plainWords(run.robot.body, 40),
                      plainWords(run.kind, 20));

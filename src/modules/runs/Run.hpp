@@ -17,6 +17,9 @@ struct RunRobot {
   std::string bodyId, headId; // serial numbers; empty: unknown
 };
 
+/// Whether both have the same body, by serial number if both are known, otherwise by name.
+bool isSameRobot(const RunRobot& a, const RunRobot& b);
+
 /// A run's estimate of a joint's offset: encoder reading minus true angle.
 struct RunOffset {
   double value = 0;     // [rad]
