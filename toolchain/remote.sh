@@ -50,9 +50,13 @@ on_robot() { # ARGUMENT...
   $ssh "$user@$host" sh -s -- "$@"
 }
 
-# connect ROBOT: sets `host` and `ssh`.
+# connect ROBOT: sets `host`, `rsync_host` (the host as rsync wants it: IPv6 in brackets) and `ssh`.
 connect() {
   host="$(address "$1")"
+  case "$host" in
+  *:*) rsync_host="[$host]" ;;
+  *) rsync_host="$host" ;;
+  esac
   ssh="${NAOCAL_SSH:-ssh -o ConnectTimeout=5} -p $port"
 }
 
