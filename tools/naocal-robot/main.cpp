@@ -105,7 +105,8 @@ bool endWith(pid_t parent) {
 }
 
 int run(Options options) {
-  sigset_t ends; // blocked in all threads; sigwait below
+  std::signal(SIGPIPE, SIG_IGN); // who read the log is gone: the robot still goes to its stand
+  sigset_t ends;                 // blocked in all threads; sigwait below
   ::sigemptyset(&ends);
   ::sigaddset(&ends, SIGINT);
   ::sigaddset(&ends, SIGTERM);
@@ -149,10 +150,15 @@ int run(Options options) {
     say("The robot has not come to its stand: look after it.");
   }
   process.stop();
-  if (process.replayed() != nullptr && !failed) {
-    say(process.replayed()->compareWith(roundOf(options.recording) / "result.json"));
+  if (process.replayed() == nullptr) {
+    return failed ? 1 : 0;
   }
-  return failed ? 1 : 0;
+  if (isOver) {
+    say(process.replayed()->compareWith(roundOf(options.recording) / "result.json"));
+  } else if (!failed) {
+    say("The replay was stopped before its end; nothing is compared.");
+  }
+  return isOver ? 0 : 1;
 }
 
 } // namespace

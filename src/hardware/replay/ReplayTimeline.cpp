@@ -17,7 +17,8 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr Duration replayCycle = 12ms, leadIn = 1s, leadOut = 500ms; // before the first and after the last capture
-constexpr Duration transfer = 25ms;                                  // from mid-exposure to an image's arrival
+constexpr Duration longestHold = 1min; // of a capture's readings, before and after it: sets may be days long
+constexpr Duration transfer = 25ms;    // from mid-exposure to an image's arrival
 
 /// An image file, read on first access.
 class PictureFile : public ImageBytes {
@@ -43,8 +44,16 @@ private:
 };
 
 /// Mid-exposure times, in the set's time, shifted by 1000 s if it starts near zero; different readings get different
-/// times.
-std::vector<TimePoint> middles(const CaptureSet& set, const std::vector<std::size_t>& order) {
+/// times. Throws InputError for times that are no seconds of a robot's clock.
+std::vector<TimePoint> middles(const CaptureSet& set, const std::vector<std::size_t>& order,
+                               const std::filesystem::path& folder) {
+  constexpr double latest = 4e9; // [s], 127 years
+  for (const std::size_t end : {order.front(), order.back()}) {
+    if (const Capture& capture = set.captures[end]; std::abs(capture.time.count()) > latest) {
+      throw InputError{fmt::format("{}: capture {}: expected a time from -4e9 to 4e9 seconds, found {:.4g}",
+                                   folder.string(), capture.id, capture.time.count())};
+    }
+  }
   const double first = set.captures[order.front()].time.count();
   const Duration shift = first < 10 ? Duration{1000s} : Duration{};
   std::vector<TimePoint> result(set.captures.size());
@@ -94,7 +103,7 @@ ReplayTimeline buildTimeline(const CaptureSet& set, const std::filesystem::path&
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return set.captures[a].time < set.captures[b].time; });
-  const std::vector<TimePoint> middle = middles(set, order);
+  const std::vector<TimePoint> middle = middles(set, order, folder);
 
   ReplayTimeline timeline;
   std::array<std::uint64_t, 2> sequences{};
@@ -104,12 +113,13 @@ ReplayTimeline buildTimeline(const CaptureSet& set, const std::filesystem::path&
     frame.time = middle[i] - latency;
     frame.sequence = sequences[std::size_t(frame.camera)]++;
     timeline.pictures.push_back({frame, middle[i] + transfer, i});
-    // The readings hold from halfway to the previous capture until halfway to the next one.
+    // The readings hold from halfway to the previous capture until halfway to the next one, a minute at most.
     const bool isFirst = place == 0, isLast = place + 1 == order.size();
-    const TimePoint from =
-        isFirst ? middle[i] - leadIn : middle[order[place - 1]] + (middle[i] - middle[order[place - 1]]) / 2;
-    const TimePoint until = isLast ? middle[i] + leadOut : middle[i] + (middle[order[place + 1]] - middle[i]) / 2;
-    for (TimePoint time = middle[i] - (middle[i] - from) / replayCycle * replayCycle; time <= until;
+    const Duration before =
+        isFirst ? leadIn : std::min<Duration>(longestHold, (middle[i] - middle[order[place - 1]]) / 2);
+    const Duration after =
+        isLast ? leadOut : std::min<Duration>(longestHold, (middle[order[place + 1]] - middle[i]) / 2);
+    for (TimePoint time = middle[i] - before / replayCycle * replayCycle; time <= middle[i] + after;
          time += replayCycle) {
       if (timeline.moments.empty() || timeline.moments.back().time < time) {
         timeline.moments.push_back({time, i});

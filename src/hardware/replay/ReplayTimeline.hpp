@@ -9,7 +9,7 @@ namespace naocal {
 
 /// Timeline of a replayed capture set: a state every 12 ms, plus one exactly at each mid-exposure with exactly the
 /// recorded readings. Between captures the state is that of the capture nearer in time, so it changes halfway in one
-/// step.
+/// step. Of a gap of more than two minutes the middle is left out.
 struct ReplayTimeline {
   struct Moment {
     TimePoint time;

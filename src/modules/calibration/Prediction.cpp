@@ -199,9 +199,10 @@ Comparison compare(const StoredResult& result, const std::vector<CaptureSet>& se
   return comparison;
 }
 
-PredictionErrors predictionErrors(const StoredResult& result, const std::vector<CaptureSet>& sets, const Robot& robot) {
-  const Measurements measurements = buildMeasurements(sets, robot);
-  const PlainResiduals errors = plainResiduals(measurements, preparePrediction(result, measurements, false));
+PredictionErrors predictionErrors(const StoredResult& result, const std::vector<CaptureSet>& sets, const Robot& robot,
+                                  bool samePlace) {
+  const Measurements measurements = buildMeasurements(sets, robot, samePlace);
+  const PlainResiduals errors = plainResiduals(measurements, preparePrediction(result, measurements, samePlace));
   return {collectDistances(errors.boards), errors.readings};
 }
 

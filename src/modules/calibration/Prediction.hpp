@@ -31,7 +31,8 @@ struct PredictionErrors {
   std::vector<double> pixels; // of corners [px]
   ReadingLengths readings;
 };
-PredictionErrors predictionErrors(const StoredResult& result, const std::vector<CaptureSet>& sets, const Robot& robot);
+PredictionErrors predictionErrors(const StoredResult& result, const std::vector<CaptureSet>& sets, const Robot& robot,
+                                  bool samePlace);
 
 /// rms error per corner [px], accounting for the joints' random deflections at `noise`:
 ///

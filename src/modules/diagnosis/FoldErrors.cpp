@@ -50,9 +50,9 @@ std::vector<CaptureSet> keepFold(std::vector<CaptureSet> sets, const std::map<Po
 }
 
 /// A fit as what `compare` predicts with.
-StoredResult fitToPredict(const std::vector<CaptureSet>& sets, const Robot& robot,
+StoredResult fitToPredict(const std::vector<CaptureSet>& sets, const Robot& robot, bool samePlace,
                           const std::vector<std::string>& terms, const SuggestedModel& asked) {
-  const Measurements measurements = buildMeasurements(sets, robot);
+  const Measurements measurements = buildMeasurements(sets, robot, samePlace);
   const Model model = buildModel(measurements, terms, asked.without, asked.effects);
   CalibrationOptions options;
   options.testMissingEffects = false;
@@ -84,7 +84,7 @@ json errorsJson(const PredictionErrors& errors) {
 
 } // namespace
 
-FoldErrors predictFolds(const std::vector<CaptureSet>& sets, const Robot& robot, std::size_t folds,
+FoldErrors predictFolds(const std::vector<CaptureSet>& sets, const Robot& robot, bool samePlace, std::size_t folds,
                         const SuggestedModel& model) {
   const std::map<PoseName, std::size_t> foldOf = dealPoses(sets, folds);
   std::vector<std::string> all = model.with;
@@ -94,7 +94,8 @@ FoldErrors predictFolds(const std::vector<CaptureSet>& sets, const Robot& robot,
     const std::vector<CaptureSet> seen = keepFold(sets, foldOf, fold, false),
                                   unseen = keepFold(sets, foldOf, fold, true);
     const auto add = [&](const std::vector<std::string>& terms, PredictionErrors& errors) {
-      const PredictionErrors here = predictionErrors(fitToPredict(seen, robot, terms, model), unseen, robot);
+      const PredictionErrors here =
+          predictionErrors(fitToPredict(seen, robot, samePlace, terms, model), unseen, robot, samePlace);
       errors.pixels.insert(errors.pixels.end(), here.pixels.begin(), here.pixels.end());
       errors.readings.append(here.readings);
     };

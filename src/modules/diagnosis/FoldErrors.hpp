@@ -22,8 +22,8 @@ struct SuggestedModel {
   std::vector<Effect> effects; // of a model file
 };
 
-/// Throws InputError for fewer poses than folds.
-FoldErrors predictFolds(const std::vector<CaptureSet>& sets, const Robot& robot, std::size_t folds,
+/// `samePlace`: all sets share their world (buildMeasurements). Throws InputError for fewer poses than folds.
+FoldErrors predictFolds(const std::vector<CaptureSet>& sets, const Robot& robot, bool samePlace, std::size_t folds,
                         const SuggestedModel& model);
 
 /// `crossValidated` of DIAGNOSIS.json.

@@ -3,12 +3,14 @@
 #include "RobotV6.hpp"
 #include "TemporaryFolder.hpp"
 #include "data/CaptureSetFile.hpp"
+#include "hardware/replay/ReplayTimeline.hpp"
 #include "io/GreyImage.hpp"
 #include "io/InputError.hpp"
 #include "simulation/Renderer.hpp"
 #include "simulation/Simulation.hpp"
 #include "simulation/StandingPoses.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <map>
 #include <thread>
@@ -114,6 +116,28 @@ TEST_CASE("a replayed robot reports every twelve milliseconds at the latest, and
 }
 
 // Proves that a set that cannot be replayed is refused at construction.
+TEST_CASE("captures that are days apart are replayed without the days between") {
+  // Proves that the states' number does not grow with the gap, that each picture still meets its own readings, and that
+  // a time that no clock of a robot shows is refused.
+  const TemporaryFolder folder;
+  CaptureSet set = recorded(folder.path());
+  const ReplayTimeline before = buildTimeline(set, folder.path(), 0ns);
+  for (Capture& capture : set.captures) {
+    capture.time += capture.time > set.captures.front().time ? Seconds{30 * 86400.} : Seconds{0};
+  }
+  const ReplayTimeline apart = buildTimeline(set, folder.path(), 0ns);
+  CHECK(apart.moments.size() < before.moments.size() + 2 * 60 * 1000 / 12 + 2);
+  for (const ReplayTimeline::Picture& picture : apart.pictures) {
+    CHECK(std::any_of(apart.moments.begin(), apart.moments.end(), [&](const ReplayTimeline::Moment& moment) {
+      return moment.time == picture.frame.time &&
+             set.captures[moment.capture].joints.measured == set.captures[picture.capture].joints.measured;
+    }));
+  }
+  set.captures.back().time = Seconds{1e11};
+  CHECK_THROWS_WITH(buildTimeline(set, folder.path(), 0ns),
+                    Catch::EndsWith(": expected a time from -4e9 to 4e9 seconds, found 1e+11"));
+}
+
 TEST_CASE("a set without pictures, or whose pictures are gone, cannot be replayed") {
   const TemporaryFolder folder;
   CaptureSet set = recorded(folder.path() / "session");

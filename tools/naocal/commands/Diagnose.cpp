@@ -42,7 +42,7 @@ nlohmann::json validate(const DiagnoseCommand& command, const Measurements& meas
     suggested.pop_back();
   }
   const FoldErrors errors =
-      predictFolds(*measurements.sets, measurements.robot, command.folds,
+      predictFolds(*measurements.sets, measurements.robot, command.samePlace, command.folds,
                    {command.options.with, command.options.without, suggested, command.options.effects});
   if (command.json != "-") {
     const auto size = [](const PredictionErrors& error) {

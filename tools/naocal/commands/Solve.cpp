@@ -55,6 +55,7 @@ SearchStart readStart(const std::string& file, const Measurements& measurements,
 int solve(SolveCommand& command) {
   command.options.estimateNoise = !command.fixedNoise;
   command.options.robust = !command.plain;
+  const bool isQuiet = command.json == "-" || command.output == "-"; // standard output is the result
   LoadedSets given = loadSets(command.sets, command.skipBad);
   ModelFile asked = askedModel(command, given.robot);
   given.inputs.setUps = mendSetUps(asked.with, given.robot, given.sets);
@@ -63,7 +64,7 @@ int solve(SolveCommand& command) {
   if (!command.start.empty()) {
     SearchStart start = readStart(command.start, measurements, model);
     command.options.start = std::move(start.unknowns);
-    if (command.json != "-") {
+    if (!isQuiet) {
       printText("starts at {} numbers of {}{}{}\n", start.count, command.start,
                 start.unused.empty() ? "" : "; not in this model: ", fmt::join(start.unused, ", "));
     }
@@ -74,7 +75,7 @@ int solve(SolveCommand& command) {
       writeJson(resultJson({measurements, model, result}, given.inputs.placedBeside(file)), file);
     }
   }
-  if (command.json != "-") {
+  if (!isQuiet) {
     printCalibration({measurements, model, result});
     if (!command.output.empty()) {
       printText("written to {}\n", command.output);

@@ -90,17 +90,38 @@ public:
   Question(const Question&) = delete;
   Question& operator=(const Question&) = delete;
 
-  /// naocal's answer; absent if interrupted.
+  /// naocal's answer; absent if interrupted: a command that Ctrl-C has reached, too, may have answered for a part.
   std::optional<nlohmann::json> answer(bool pictures) const {
+    try {
+      nlohmann::json whole = askAll(pictures);
+      return Progress::wasInterrupted() ? std::nullopt : std::optional{std::move(whole)};
+    } catch (const Stopped&) {
+      return std::nullopt;
+    }
+  }
+
+private:
+  struct Stopped {};
+
+  /// Runs a command of naocal. Throws Stopped if it was killed.
+  static ProcessResult ask(const std::vector<std::string>& command) {
+    ProcessResult finished = runProcess(command);
+    if (finished.stopped) {
+      throw Stopped{};
+    }
+    return finished;
+  }
+
+  nlohmann::json askAll(bool pictures) const {
     if (pictures) {
-      const ProcessResult found = runProcess({naocal_, "detect", set_.string(), "--threads", "1"});
+      const ProcessResult found = ask({naocal_, "detect", set_.string(), "--threads", "1"});
       if (found.exitCode != 0) {
         return refused(found);
       }
     }
     const auto start = std::chrono::steady_clock::now();
     const ProcessResult said =
-        runProcess({naocal_, "diagnose", set_.string(), "--json", between_ / "diagnosis.json", "--next-count", "0"});
+        ask({naocal_, "diagnose", set_.string(), "--json", between_ / "diagnosis.json", "--next-count", "0"});
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     if (said.exitCode != 0 && said.exitCode != 3) {
       return refused(said);
@@ -120,15 +141,11 @@ public:
     return answer;
   }
 
-private:
-  static std::optional<nlohmann::json> refused(const ProcessResult& finished) {
-    if (finished.stopped) {
-      return std::nullopt;
-    }
-    return nlohmann::json{{"exitCode", finished.exitCode},
-                          {"error", finished.said},
-                          {"diagnosis", nullptr},
-                          {"locked", nlohmann::json::object()}};
+  static nlohmann::json refused(const ProcessResult& finished) {
+    return {{"exitCode", finished.exitCode},
+            {"error", finished.said},
+            {"diagnosis", nullptr},
+            {"locked", nlohmann::json::object()}};
   }
 
   /// Errors on the locked poses, which were never used for selection, with and without the suggested effects. Empty if
@@ -136,8 +153,8 @@ private:
   nlohmann::json locked() const {
     if (!files::exists(locked_) || !files::exists(between_ / "before.json") ||
         !files::exists(between_ / "after.json") ||
-        runProcess({naocal_, "compare", between_ / "after.json", locked_, "--against", between_ / "before.json",
-                    "--json", between_ / "compared.json"})
+        ask({naocal_, "compare", between_ / "after.json", locked_, "--against", between_ / "before.json", "--json",
+             between_ / "compared.json"})
                 .exitCode != 0) {
       return nlohmann::json::object();
     }
@@ -163,7 +180,7 @@ private:
   nlohmann::json solved(const std::vector<std::string>& options, const char* file) const {
     std::vector<std::string> solve{naocal_, "solve", set_.string(), "-o", between_ / file};
     solve.insert(solve.end(), options.begin(), options.end());
-    const int exitCode = runProcess(solve).exitCode;
+    const int exitCode = ask(solve).exitCode;
     if ((exitCode != 0 && exitCode != 3) || !files::exists(between_ / file)) {
       return nullptr;
     }

@@ -152,12 +152,19 @@ json change(const ApplyCommand& command, const LoadedCalibration& loaded, Config
   return differences(before, snapshotCalibration(configuration));
 }
 
+/// Of a dry run: only a save that was cut off makes the configuration write.
+void refuseToWrite(const std::filesystem::path& file, std::string_view) {
+  throw InputError{fmt::format("{}: expected the result of a whole save, found one that was cut off; apply without "
+                               "--dry-run, or a start of naocal-robot, completes it",
+                               file.string())};
+}
+
 void apply(const ApplyCommand& command) {
   const LoadedCalibration loaded = loadCalibration(command.result, command.posture);
   const ConfigurationFolders folders = foldersOf(command.configuration);
   try {
     const RobotNames names = namesOf(command, loaded.calibration, folders);
-    Configuration configuration{folders, names, writeAtomically,
+    Configuration configuration{folders, names, command.dryRun ? refuseToWrite : writeAtomically,
                                 [](std::string_view line) { printText(stderr, "{}\n", line); }};
     mountCalibration(configuration);
     const ConfiguredBefore before = readBefore(configuration);
@@ -212,7 +219,7 @@ void addApply(CLI::App& app) {
   applier->footer("Example: naocal apply result.json --configuration home/configuration\n"
                   "Shows what changes, then writes both files or none.\n"
                   "Joints that are less than 50 % learned keep their values.\n"
-                  "To take effect: restart naocal-robot, or copy the files to the robot.");
+                  "To take effect: copy the files to the robot if they are elsewhere, then restart naocal-robot.");
   applier->add_option("RESULT", command->result, "a result of 'naocal solve', or a file of 'naocal import'")
       ->type_name("FILE")
       ->required();

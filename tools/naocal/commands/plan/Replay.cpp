@@ -108,6 +108,9 @@ files::path ReplayCommand::follow(const files::path& into, std::vector<std::stri
     }
   };
   const ProcessResult ended = followProcess(robotCommand(into), say, waiting);
+  if (Progress::wasInterrupted()) {
+    throw InputError{"stopped before the replay's end; nothing is compared"};
+  }
   if (ended.exitCode == 2) {
     throw InputError{
         fmt::format("{}: cannot be replayed: {}", recording, said.empty() ? "no reason given" : reasonIn(said.back()))};
