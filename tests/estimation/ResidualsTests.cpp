@@ -1,7 +1,11 @@
 #include "estimation/Residuals.hpp"
 
+#include "MeasuredArm.hpp"
+#include "TemporaryFolder.hpp"
+#include "data/CaptureSetFile.hpp"
 #include "estimation/MinimizedGradient.hpp"
 #include "estimation/ModelBuilder.hpp"
+#include "math/LinearAlgebra.hpp"
 #include "simulation/HandMadePoses.hpp"
 
 #include <Eigen/Cholesky>
@@ -200,6 +204,39 @@ TEST_CASE("a hip yaw-pitch motor is one unknown under both of its names") {
   CHECK(std::count_if(model.terms().begin(), model.terms().end(),
                       [](const Term& term) { return term.placeName.find("HipYawPitch") != std::string::npos; }) == 1);
   CHECK(buildModel(problem.measurements, {}, {"jointOffset@RHipYawPitch"}).unknownCount() == model.unknownCount() - 1);
+}
+
+TEST_CASE("a pose that is taken on two slopes has the torques of each") {
+  // Proves that the cost of a model with an elastic joint does not depend on whether both slopes count as one pose.
+  const TemporaryFolder folder;
+  writeArmSet(folder.path());
+  CaptureSet set = readCaptureSet(folder.path()).set;
+  Placement slope;
+  slope.roll = 1.2; // [rad]
+  set.stances = {{.id = 0, .supportFoot = SupportFoot::none, .placement = Placement{}},
+                 {.id = 1, .supportFoot = SupportFoot::none, .placement = slope}};
+  const std::vector<Capture> level = set.captures;
+  for (Capture capture : level) {
+    capture.id += 1000;
+    capture.stance = 1;
+    capture.repeat = 1;
+    capture.repeatKind = RepeatKind::restand;
+    set.captures.push_back(capture);
+  }
+  CaptureSet apart = set;
+  for (Capture& capture : apart.captures) {
+    capture.pose += capture.stance == 1 ? " tilted" : "";
+  }
+  const Robot robot = parseUrdf(measuredArmUrdf, "arm.urdf");
+  const auto costOf = [&](const CaptureSet& captures) {
+    const Measurements measurements = buildMeasurements({captures}, robot);
+    const Model model = buildModel(measurements, {"elasticity@lift"});
+    Eigen::VectorXd unknowns = Eigen::VectorXd::Zero(eigenIndex(model.unknownCount()));
+    unknowns[eigenIndex(model.find("elasticity@lift")->first)] = 0.01; // [rad/Nm]
+    const Residuals residuals{measurements, model, Noise{.encoder = 0}};
+    return residuals.linearize(residuals.startState(unknowns)).value().cost;
+  };
+  CHECK(costOf(set) == Approx(costOf(apart)).epsilon(1e-9));
 }
 
 } // namespace naocal

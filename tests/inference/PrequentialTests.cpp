@@ -55,4 +55,12 @@ TEST_CASE("a drift predicts the last poses, a slip does not pass for one, and no
   CHECK_FALSE(driftOf(kneeReads([](double) { return 0; })).predicts());
 }
 
+TEST_CASE("one pose is predicted from none") {
+  // Proves the limit of the rule, which leaves out a fifth of the poses.
+  const Questioned asked = kneeReads([](double) { return 0; });
+  CHECK_FALSE(scorePrequentially(asked.candidateTests.problem(), asked.fit.noise, {0},
+                                 asked.candidateTests.findCandidate("timeDrift@LKneePitch").value())
+                  .predicts());
+}
+
 } // namespace naocal

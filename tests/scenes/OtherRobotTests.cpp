@@ -119,6 +119,14 @@ TEST_CASE("a K1 whose knee turns the other way is told so", "[slow]") {
   std::vector<std::string> with{"reversedJoint@Left_Knee_Pitch"};
   std::vector<CaptureSet> mended{set};
   mendSetUps(with, loadRobot(set), mended);
+  const auto knee = static_cast<std::size_t>(
+      std::find(set.jointNames.begin(), set.jointNames.end(), "Left_Knee_Pitch") - set.jointNames.begin());
+  for (std::size_t i = 0; i < set.captures.size(); ++i) {
+    const JointReadings &before = set.captures[i].joints, &after = mended.front().captures[i].joints;
+    CHECK(after.measured[knee] == -before.measured[knee]);
+    CHECK(after.approach[knee] == -before.approach[knee]); // what lags behind the last motion keeps its sign
+    CHECK(after.approach[0] == before.approach[0]);
+  }
   CHECK(diagnose(buildMeasurements(mended, loadRobot(set))).verdict == Verdict::adequate);
 }
 

@@ -23,8 +23,11 @@ void PictureWorkspace::drive(const Measurements& measurements, const Model& mode
                              const Eigen::VectorXd& unknowns) {
   DriverState& driven = scratch.driven;
   const ImageObservation* const last = std::exchange(drivenPicture, &picture);
-  if (!last || last->instant.q != picture.instant.q || last->instant.supportFoot != picture.instant.supportFoot ||
-      picture.instant.supportFoot == SupportFoot::both) {
+  const auto standsAsBefore = [&](const RobotSample& before, const RobotSample& now) {
+    return before.supportFoot == now.supportFoot && before.supportLink == now.supportLink &&
+           before.upInSupport == now.upInSupport && now.supportFoot != SupportFoot::both;
+  };
+  if (!last || last->instant.q != picture.instant.q || !standsAsBefore(last->instant, picture.instant)) {
     driven = computeDrivers(measurements, model, picture, unknowns);
     return;
   }

@@ -67,6 +67,9 @@ bool Prequential::predicts() const {
 Prequential scorePrequentially(const ScoreProblem& problem, const Noise& noise, const std::vector<std::size_t>& order,
                                std::size_t group) {
   const auto first = static_cast<std::ptrdiff_t>(order.size() - (order.size() + 4) / 5);
+  if (first == 0) {
+    return {.gain = 0, .tail = 0}; // one pose: nothing to predict it from
+  }
   const Outcome all = evaluateOutcome(problem, noise, order, group),
                 before = evaluateOutcome(problem, noise, {order.begin(), order.begin() + first}, group);
   const double freedom = std::max(1.0, all.freedom - before.freedom);

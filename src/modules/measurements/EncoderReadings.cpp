@@ -1,7 +1,9 @@
 #include "measurements/EncoderReadings.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 namespace naocal {
@@ -50,39 +52,79 @@ RestReadings::RestReadings(const std::vector<double>& angles, double encoderStep
   counts_.assign(counts.begin(), counts.end());
 }
 
-/// Calls visit(x, P(readings | x) dx) at evenly spaced positions over the range the readings allow.
-template <class Visit> void RestReadings::visitPlaces(double jitter, const Visit& visit) const {
-  constexpr int points = 80;
-  const double least = -0.5 - 3 * jitter, most = highest() + 0.5 + 3 * jitter;
-  for (int i = 0; i < points; ++i) {
-    const double x = least + (most - least) * (i + 0.5) / points;
-    double product = (most - least) / points;
+/// Evenly spaced positions, each with its share exp(logs - log) of the integral.
+struct RestReadings::LikelyPlaces {
+  static constexpr std::size_t points = 80;
+  std::array<double, points> x{}, shares{};
+  double sum = 0; // of the shares
+  double log = 0; // of P(readings | x) dx at the likeliest position
+};
+
+/// The product of many readings' probabilities is smaller than any number, so their logarithms are added.
+RestReadings::LikelyPlaces RestReadings::placesWithin(double low, double high, double jitter) const {
+  constexpr double least = 1e-300; // of a reading's probability: its logarithm stays finite
+  LikelyPlaces places;
+  for (std::size_t i = 0; i < LikelyPlaces::points; ++i) {
+    places.x[i] = low + (high - low) * (static_cast<double>(i) + 0.5) / LikelyPlaces::points;
+    places.shares[i] = std::log((high - low) / LikelyPlaces::points);
     for (const auto& [step, count] : counts_) {
-      product *= std::pow(std::max(0.0, probability(step, x, jitter)), count);
+      places.shares[i] += count * std::log(std::max(least, probability(step, places.x[i], jitter)));
     }
-    visit(x, product);
   }
+  places.log = *std::max_element(places.shares.begin(), places.shares.end());
+  for (double& share : places.shares) {
+    share = std::exp(share - places.log);
+    places.sum += share;
+  }
+  return places;
+}
+
+/// Positions over the range that the readings allow; closer ones around the likeliest where many readings narrow it.
+RestReadings::LikelyPlaces RestReadings::placesAt(double jitter) const {
+  constexpr double counts = 1e-8; // of a share
+  constexpr std::ptrdiff_t enough = 10;
+  constexpr int finest = 6; // each time at least six times closer
+  LikelyPlaces places = placesWithin(-0.5 - 3 * jitter, highest() + 0.5 + 3 * jitter, jitter);
+  const auto isUnlikely = [&](double share) { return share < counts; };
+  for (int closer = 0; closer < finest; ++closer) {
+    const auto peak = std::max_element(places.shares.begin(), places.shares.end());
+    const auto last = std::find_if(peak, places.shares.end(), isUnlikely);
+    const auto first = std::find_if(std::make_reverse_iterator(peak), places.shares.rend(), isUnlikely).base();
+    if (last - first >= enough) {
+      break;
+    }
+    const double cell = places.x[1] - places.x[0];
+    const auto placeOf = [&](auto share) { return places.x[static_cast<std::size_t>(share - places.shares.begin())]; };
+    places = placesWithin(placeOf(first) - 1.5 * cell, placeOf(last - 1) + 1.5 * cell, jitter);
+  }
+  return places;
 }
 
 double RestReadings::logLikelihood(double jitter) const {
-  double sum = 0;
-  visitPlaces(jitter, [&](double, double probability) { sum += probability; });
-  return std::log(std::max(sum, 1e-300));
+  const LikelyPlaces places = placesAt(jitter);
+  return places.log + std::log(places.sum);
 }
 
 RestReadings::Place RestReadings::place(double jitter) const {
-  double sum = 0, mean = 0, square = 0;
-  // readings farther apart than this jitter allows: widen it
-  for (double likely = std::max(jitter / encoderStep_, leastJitter); sum < 1e-100; likely *= jitterRatio) {
-    sum = mean = square = 0;
-    visitPlaces(likely, [&](double x, double probability) {
-      sum += probability;
-      mean += probability * x;
-      square += probability * x * x;
-    });
+  // Readings farther apart than this jitter allows: widen it. Entropy of a reading with the widest jitter: below 4
+  // nats.
+  double count = 0;
+  for (const auto& [step, readings] : counts_) {
+    count += readings;
   }
-  mean /= sum;
-  return {lowest_ + encoderStep_ * mean, encoderStep_ * encoderStep_ * std::max(0.0, square / sum - mean * mean)};
+  const double least = -230 - 4 * count; // e^-230: 1e-100
+  double likely = std::max(jitter / encoderStep_, leastJitter);
+  LikelyPlaces places = placesAt(likely);
+  while (places.log < least) {
+    places = placesAt(likely *= jitterRatio);
+  }
+  double mean = 0, square = 0;
+  for (std::size_t i = 0; i < LikelyPlaces::points; ++i) {
+    const double share = places.shares[i] / places.sum;
+    mean += share * places.x[i];
+    square += share * places.x[i] * places.x[i];
+  }
+  return {lowest_ + encoderStep_ * mean, encoderStep_ * encoderStep_ * std::max(0.0, square - mean * mean)};
 }
 
 std::vector<double> estimateEncoderJitter(const std::vector<std::vector<RestReadings>>& rests) {

@@ -30,7 +30,9 @@ public:
   const std::vector<std::pair<int, int>>& pattern() const { return counts_; }
 
 private:
-  template <class Visit> void visitPlaces(double jitter, const Visit& visit) const;
+  struct LikelyPlaces;
+  LikelyPlaces placesWithin(double low, double high, double jitter) const;
+  LikelyPlaces placesAt(double jitter) const;
 
   double encoderStep_ = 0;
   double lowest_ = 0;                       // angle of step 0: mean of all readings minus their steps [rad]

@@ -1,5 +1,6 @@
 #include "measurements/RestGrouping.hpp"
 
+#include "measurements/CaptureReading.hpp"
 #include "measurements/EncoderReadings.hpp"
 #include "measurements/Noise.hpp"
 
@@ -74,13 +75,15 @@ std::vector<Rest> groupPose(const Measurements& measurements, const std::vector<
       pose.readings.back().pictures.push_back(index);
       continue;
     }
-    const bool anew = last && last->repeat != capture.repeat && capture.repeatKind != RepeatKind::rest;
+    const bool anew = last && (last->repeat != capture.repeat || last->stance != capture.stance) &&
+                      capture.repeatKind != RepeatKind::rest;
     pose.repeated |= anew;
     stances.insert(capture.stance);
     approaches += !last || anew ? 1 : 0;
     // Rest repeats get an error separate from their approach, although the encoder error is the same: it models errors
-    // common to the corners of a picture. Sharing it would double the false alarms with biased pictures.
-    const int approach = capture.repeatKind == RepeatKind::rest ? -1 : capture.repeat;
+    // common to the corners of a picture. Sharing it would double the false alarms with biased pictures. Those of
+    // different approaches have different ones, for a joint rests elsewhere each time.
+    const int approach = capture.repeatKind == RepeatKind::rest ? -1 - static_cast<int>(approaches) : capture.repeat;
     auto rest = std::find_if(rests.begin(), rests.end(), [&](const Rest& other) {
       return other.stance == capture.stance && other.approach == approach &&
              ((other.first - picture.instant.q).array().abs() < tolerance).all();
@@ -200,12 +203,20 @@ void countRepeats(const std::vector<Rest>& rests, const PoseGroup& pose, std::ve
   }
 }
 
-/// With several feet on the floor, adds the contacts of all but the first; one measurement per pose and foot.
+/// With several feet on the floor, adds the contacts of all but the first; one measurement per pose and foot. A leg
+/// whose joints were not recorded says nothing about its foot.
 void addFloorContacts(const Measurements& measurements, ImageObservation& picture) {
   const StanceInstance& stance = measurements.stances[picture.stance];
+  const Eigen::VectorXd recorded =
+      measuredAngles(measurements.robot, (*measurements.sets)[picture.set], measurements.captureOf(picture));
   for (const std::size_t sole : stance.furtherSoles) {
-    picture.otherSoles.push_back(
-        ObservationChain::betweenLinks(measurements.robot, measurements.quantities, sole, *stance.supportLink));
+    ObservationChain contact =
+        ObservationChain::betweenLinks(measurements.robot, measurements.quantities, sole, *stance.supportLink);
+    const std::vector<std::size_t>& joints = contact.joints();
+    if (std::none_of(joints.begin(), joints.end(),
+                     [&](std::size_t joint) { return std::isnan(recorded[static_cast<Eigen::Index>(joint)]); })) {
+      picture.otherSoles.push_back(std::move(contact));
+    }
   }
 }
 

@@ -104,14 +104,14 @@ double contactSigmaOf(const RobotScene& scene) {
 /// robot stands on a sole and the set places no floor board.
 RigidTransform resultWorld(const RobotScene& scene, const TrueRobot& robot, const std::vector<Capture>& captures) {
   const std::vector<Board>& boards = robot.set().boards;
-  for (std::size_t i = 0; robot.isOnSole() && i < boards.size(); ++i) {
+  const bool isSurveyed = std::any_of(scene.set.boards.begin(), scene.set.boards.end(), [](const Board& board) {
+    return board.link == "floor" && board.placement.has_value();
+  });
+  for (std::size_t i = 0; robot.isOnSole() && !isSurveyed && i < boards.size(); ++i) {
     const bool isSeen = std::any_of(captures.begin(), captures.end(), [&](const Capture& capture) {
       return capture.corners && std::any_of(capture.corners->begin(), capture.corners->end(),
                                             [&](const BoardCorners& seen) { return seen.board == boards[i].id; });
     });
-    if (boards[i].link == "floor" && scene.set.boards[i].placement) {
-      return {};
-    }
     if (boards[i].link == "floor" && isSeen) {
       return transformFromPlacement(boards[i].placement->numbers()).inverse();
     }

@@ -75,13 +75,18 @@ std::optional<Correction> fitCorrected(std::vector<CaptureSet> sets, const Measu
   }
 }
 
+/// Turns a joint's angles and its direction of motion around.
 std::vector<CaptureSet> mirrorJoint(std::vector<CaptureSet> sets, const std::string& joint) {
   for (CaptureSet& set : sets) {
-    const auto found = std::find(set.jointNames.begin(), set.jointNames.end(), joint);
+    const auto place = static_cast<std::size_t>(std::find(set.jointNames.begin(), set.jointNames.end(), joint) -
+                                                set.jointNames.begin());
     for (Capture& capture : set.captures) {
-      if (found != set.jointNames.end()) {
-        double& angle = capture.joints.measured[static_cast<std::size_t>(found - set.jointNames.begin())];
-        angle = -angle;
+      JointReadings& readings = capture.joints;
+      for (std::vector<double>* values :
+           {&readings.measured, &readings.commanded, &readings.velocity, &readings.approach}) {
+        if (place < values->size()) { // what was not recorded is empty
+          (*values)[place] = -(*values)[place];
+        }
       }
     }
   }
@@ -122,8 +127,9 @@ void startNewStance(CaptureSet& set, int stance, double time) {
                                         [](const Stance& a, const Stance& b) { return a.id < b.id; });
   const auto found =
       std::find_if(set.stances.begin(), set.stances.end(), [&](const Stance& one) { return one.id == stance; });
-  Stance anew{.id = highest == set.stances.end() ? stance + 1 : std::max(highest->id, stance) + 1};
-  anew.supportFoot = found == set.stances.end() ? SupportFoot::left : found->supportFoot;
+  Stance anew = found == set.stances.end() ? Stance{.supportFoot = SupportFoot::left} : *found;
+  anew.id = highest == set.stances.end() ? stance + 1 : std::max(highest->id, stance) + 1;
+  anew.placement.reset();
   for (Capture& capture : set.captures) {
     if (capture.stance == stance && capture.time.count() > time) {
       capture.stance = anew.id;
