@@ -7,11 +7,7 @@ namespace {
 
 /// Rosenbrock's function as a sum of squares: r = (10 (y - x^2), 1 - x); infeasible for x < -1.5.
 struct Valley {
-  struct Linear {
-    double cost = 0;
-    Eigen::VectorXd gradient;
-    Eigen::MatrixXd hessian;
-  };
+  using Linear = DenseLinear;
   bool linearize(const Eigen::VectorXd& p, Linear& linear) const {
     if (p[0] < -1.5) {
       return false;

@@ -105,11 +105,12 @@ TEST_CASE("whether a robot that calibrates again and again grows or slows down",
   for (std::vector<double>* values : {&memory, &allocated, &processor, &ratio, &wall}) {
     values->erase(values->begin(), values->begin() + std::ptrdiff_t(values->size() / 5));
   }
-  fmt::print("{} of {} ended in words\nresident memory: {}\nallocated memory: {}\nprocessor time of a calibration: "
-             "{}\nthe same over that of a fixed "
-             "computation: {}\nwall time: {}\n",
-             finished, count, slopeOf(memory, "MB"), slopeOf(allocated, "MB"), slopeOf(processor, "s"),
-             slopeOf(ratio, "times"), slopeOf(wall, "s"));
+  fmt::print("{} of {} ended with a sentence\n", finished, count);
+  fmt::print("resident memory: {}\n", slopeOf(memory, "MB"));
+  fmt::print("allocated memory: {}\n", slopeOf(allocated, "MB"));
+  fmt::print("processor time of a calibration: {}\n", slopeOf(processor, "s"));
+  fmt::print("the same over that of a fixed computation: {}\n", slopeOf(ratio, "times"));
+  fmt::print("wall time: {}\n", slopeOf(wall, "s"));
 }
 
 } // namespace naocal

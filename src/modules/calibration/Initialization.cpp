@@ -37,11 +37,7 @@ class BoardAlignment {
 public:
   BoardAlignment(const Measurements& measurements, const Model& model);
 
-  struct Linear {
-    double cost = 0;
-    Eigen::VectorXd gradient;
-    Eigen::MatrixXd hessian;
-  };
+  using Linear = DenseLinear;
   bool linearize(const Eigen::VectorXd& unknowns, Linear& sums) const;
   Eigen::VectorXd applyStep(const Eigen::VectorXd& unknowns, const Linear&, const Eigen::VectorXd& step) const {
     return unknowns + step;

@@ -4,6 +4,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -20,6 +21,13 @@ struct LevenbergMarquardtOptions {
       1e-3; // a stalled search counts as converged if the last ten iterations decreased the cost by less
 };
 
+/// A problem at one of its states, without further sums: the usual `Linear`.
+struct DenseLinear {
+  double cost = 0; // half the sum of the squared residuals
+  Eigen::VectorXd gradient;
+  Eigen::MatrixXd hessian;
+};
+
 /// End of the search.
 template <typename State, typename Linear> struct Minimum {
   State state;
@@ -32,8 +40,8 @@ template <typename State, typename Linear> struct Minimum {
 /// problems, 2nd ed. 2004, algorithm 3.16), damping scaled by the Hessian's diagonal.
 ///
 /// A problem has a state type and provides
-///   struct Linear                                      with .cost, .gradient, .hessian (J^T J)
-///   bool linearise(State&, Linear&)                    false: the state is infeasible
+///   struct Linear                                      with .cost, .gradient, .hessian (J^T J): DenseLinear or more
+///   bool linearize(State&, Linear&)                    false: the state is infeasible
 ///   State applyStep(const State&, const Linear&, const Eigen::VectorXd& step)
 ///   const Eigen::VectorXd& scales()                    plausible change of each unknown
 /// `linearize` receives one of two `Linear`s, empty or filled by an earlier call, whose memory it may reuse.

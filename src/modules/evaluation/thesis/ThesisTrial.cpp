@@ -19,11 +19,7 @@ class NumericPixelProblem {
 public:
   explicit NumericPixelProblem(const Residuals& residuals) : residuals_{residuals} {}
 
-  struct Linear {
-    double cost = 0;
-    Eigen::VectorXd gradient;
-    Eigen::MatrixXd hessian;
-  };
+  using Linear = DenseLinear;
   bool linearize(const Residuals::State& state, Linear& result) const;
   Residuals::State applyStep(const Residuals::State& state, const Linear&, const Eigen::VectorXd& step) const {
     return residuals_.startState(state.unknowns + step);
