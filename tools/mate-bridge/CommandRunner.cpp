@@ -22,11 +22,18 @@ constexpr std::size_t mostWords = 64;
 const std::set<std::string> commands{"apply",    "board",  "check",  "compare", "detect", "diagnose", "effects",
                                      "evaluate", "export", "import", "poses",   "report", "simulate", "solve"};
 
+/// Empty if it has been deleted.
+std::string currentFolder() {
+  std::error_code gone;
+  return std::filesystem::current_path(gone).string();
+}
+
 } // namespace
 
 CommandRunner::CommandRunner(boost::asio::io_context& context, std::optional<std::filesystem::path> program,
                              MessageSink tell)
-    : tell_{std::move(tell)}, child_{context, "naocal", std::move(program), [this] { tell_(latest()); }} {}
+    : tell_{std::move(tell)}, folder_{currentFolder()}, child_{context, "naocal", std::move(program),
+                                                               [this] { tell_(latest()); }} {}
 
 void CommandRunner::run(const std::vector<std::string>& words) {
   if (words.empty() || words.size() > mostWords || !commands.contains(words.front())) {
@@ -48,7 +55,7 @@ std::string CommandRunner::latest() const {
   const auto& exitCode = child_.exitCode();
   return jsonText({{"kind", "errand"},
                    {"program", program ? Json(program->string()) : Json(nullptr)},
-                   {"folder", std::filesystem::current_path().string()},
+                   {"folder", folder_},
                    {"importedDialects", importedDialects()},
                    {"exportedDialects", exportedDialects()},
                    {"words", child_.words()},

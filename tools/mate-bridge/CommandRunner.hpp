@@ -32,6 +32,7 @@ public:
 
 private:
   MessageSink tell_;
+  std::string folder_;
   bool ending_ = false; // whether an end was requested
   ChildProgram child_;
 };

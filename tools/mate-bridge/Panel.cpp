@@ -139,10 +139,13 @@ struct Panel::Implementation {
     return path.empty() ? plain(503, std::string{pageMissing()}) : plain(404, "The panel has no such file.");
   }
 
-  static Message refusal(const std::string& problem) {
-    return makeMessage(jsonText({{"kind", "refused"}, {"sentence", problem}}));
+  static Message refusal(const std::string& problem, const Json& number = nullptr) {
+    return makeMessage(jsonText({{"kind", "refused"}, {"sentence", problem}, {"number", number}}));
   }
-  void refuse(std::size_t panel, const std::string& problem) { server.send(panel, refusal(problem)); }
+  /// `number`: that of the panel's request, if it has one.
+  void refuse(std::size_t panel, const std::string& problem, const Json& number = nullptr) {
+    server.send(panel, refusal(problem, number));
+  }
   void refuseAll(const std::string& problem) { server.sendAll(refusal(problem)); }
 
   /// The folders of the request's `lookIn`, then those of the program's options.
@@ -153,7 +156,16 @@ struct Panel::Implementation {
     return folders;
   }
 
+  /// Sends a new panel all that it shows.
   void greet(std::size_t panel) {
+    try {
+      sendAll(panel);
+    } catch (const std::exception& error) {
+      refuse(panel, error.what());
+    }
+  }
+
+  void sendAll(std::size_t panel) {
     server.send(panel, hello());
     for (const auto& [kind, told] : analysis.latest()) {
       server.send(panel, told);
@@ -168,9 +180,11 @@ struct Panel::Implementation {
 
   void received(std::size_t panel, const std::string& text) {
     std::string problem;
+    Json number;
     try {
       const std::size_t end = std::min(text.find('\n'), text.size()); // of the JSON; a part of a file may follow
       const Json body = parseBoundedJson(std::string_view{text}.substr(0, end));
+      number = body.value("number", Json{});
       const Request request{*this, panel, body, std::string_view{text}.substr(std::min(end + 1, text.size()))};
       const auto found = handlers().find(request.verb());
       found == handlers().end() ? request.refuseVerb() : found->second(request);
@@ -180,7 +194,7 @@ struct Panel::Implementation {
     } catch (const std::exception& error) {
       problem = error.what();
     }
-    refuse(panel, problem);
+    refuse(panel, problem, number);
   }
 
   /// A panel's request: {"do": verb, ..}; with a part of a file: "{json}\n" and its bytes.

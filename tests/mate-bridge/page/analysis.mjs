@@ -266,6 +266,7 @@ await rungs.first().waitFor();
 check(await theme() === chosen, "the theme is remembered: " + chosen);
 await page.keyboard.press("?");
 await page.getByRole("dialog").getByText("Stop: every calibration ends").waitFor();
+check(await page.evaluate(() => !document.querySelector("dialog:modal")), "the list of keys leaves Stop in reach");
 await page.screenshot({path: join(pictures, "keys.png")});
 await page.getByRole("button", {name: "Close", exact: true}).click();
 await tab("Custom effect");

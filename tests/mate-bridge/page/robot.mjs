@@ -37,9 +37,13 @@ await page.locator(".thumbnails img").first().waitFor();
 const found = page.locator(".camera figcaption").filter({hasText: "corners, predicted"}).first(); // not visible in every pose
 await happens(found.waitFor(), "corners are found in the live pictures");
 await page.screenshot({path: join(pictures, "calibrate-running.png")});
+const listed = await page.locator(".thumbnails li").count(), drawn = await page.locator(".thumbnails img").count();
 await tab("Configuration"); // captures are followed in other views too
 await page.waitForTimeout(6000);
 await tab("Calibrate");
+await page.locator(".thumbnails li").nth(listed).waitFor();
+const drawnMeanwhile = await page.locator(".thumbnails img").count() - drawn;
+check(drawnMeanwhile > 0, "captures that were taken while another view was shown have their pictures: " + drawnMeanwhile);
 await page.getByRole("heading", {name: /^(Finished|Failed)$/}).waitFor();
 const bars = page.locator(".rung.flat"), before = px(await bars.nth(0).innerText()), after = px(await bars.nth(1).innerText());
 check(await page.getByRole("heading", {name: "Finished"}).count() === 1 && after < 0.5 * before, "the robot is calibrated: " + before + " px before, " + after + " px after");

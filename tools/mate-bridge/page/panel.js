@@ -1,6 +1,6 @@
 // The panel: views, tabs, keys, messages of the bridge.
 import "./core/theme.js";
-import {at, button, element, empty} from "naocal/lib/dom.js";
+import {at, button, element, empty, question} from "naocal/lib/dom.js";
 import {capitalized, waitingWords} from "naocal/lib/format.js";
 import {showLearn} from "./analysis/candidates.js";
 import {showCompare} from "./analysis/compare.js";
@@ -15,7 +15,7 @@ import {showTools} from "./command-runner.js";
 import {connect, on} from "./core/connection.js";
 import {explainAlways} from "./core/glossary.js";
 import {offerViews} from "./core/session-export.js";
-import {notice, onNotice, say, state} from "./core/state.js";
+import {endNotice, notice, onNotice, say, state} from "./core/state.js";
 import {hasCalibration, leaveCalibrate, calibrationSummary, onMessage as onCalibrateMessage, showCalibrate} from "./robots/calibrate.js";
 import {onMessage as onConfigurationMessage, showKeys} from "./robots/configuration.js";
 import {hasHistory, requestHistory, showHistory} from "./history/history.js";
@@ -190,7 +190,7 @@ on("history", message => {
 });
 on("missing", message => {
   state.missing = message;
-  at("notice").hidden = true;
+  endNotice("action");
   go("files");
 });
 on("work", ({what}) => {
@@ -213,16 +213,25 @@ for (const kind of ["robot", "robotGone", "list", "mounts", "keys", "update", "p
   });
 }
 
-let fading = 0, noticed = ""; // noticed: cause of the notice
-const hideNotice = () => { at("notice").hidden = true; };
+/** By cause, the newest last; each stays until its cause ends or OK. @type {Map<string, {sentence: string, kind: string}>} */
+const notices = new Map();
+let fading = 0;
+function showNotices() {
+  at("notice").hidden = !notices.size;
+  at("notice").replaceChildren(...[...notices].map(([cause, {sentence, kind}]) =>
+    element("div", {class: kind}, element("span", {}, sentence), button("OK", () => dropNotice(cause), {class: "small"}))));
+}
+function dropNotice(cause) {
+  if (notices.delete(cause)) showNotices();
+}
 onNotice((sentence, kind, cause) => {
-  noticed = cause;
-  at("notice").hidden = false;
-  at("notice").className = kind;
-  at("notice").replaceChildren(element("span", {}, sentence), button("OK", hideNotice, {class: "small"}));
+  notices.delete(cause);
+  notices.set(cause, {sentence, kind});
+  showNotices();
+  if (cause !== "action") return;
   clearTimeout(fading);
-  if (kind === "news") fading = window.setTimeout(hideNotice, 8000);
-}, cause => { if (cause === noticed) hideNotice(); });
+  if (kind === "news") fading = window.setTimeout(() => dropNotice(cause), 8000);
+}, dropNotice);
 
 document.addEventListener("keydown", event => {
   if (event.ctrlKey || event.metaKey || event.altKey || /^(INPUT|SELECT|TEXTAREA)$/.test(/** @type {Element} */ (event.target).tagName)) return;
@@ -237,10 +246,10 @@ document.addEventListener("keydown", event => {
 
 function showHelp() {
   const row = (key, words) => element("tr", {}, element("td", {}, element("kbd", {}, key)), element("td", {}, words));
-  at("keys").replaceChildren(element("h2", {}, "Keyboard shortcuts"), element("table", {class: "files"}, element("tbody", {}, row("s", "Stop: every calibration ends and its robot goes back to its stand"), ...views.map(({name}, i) => row(keyed[i], name)),
+  const close = () => at("keys").replaceChildren();
+  at("keys").replaceChildren(question({class: "confirm", "aria-label": "keyboard shortcuts"}, close, element("h2", {}, "Keyboard shortcuts"), element("table", {class: "files"}, element("tbody", {}, row("s", "Stop: every calibration ends and its robot goes back to its stand"), ...views.map(({name}, i) => row(keyed[i], name)),
     row("u", "undo the last change to the model"), row("r", "redo it"), row("?", "this list"), row("Esc", "close; discard an edited value; end the tour"), row("← →", "step of the tour"))),
-    element("p", {class: "controls"}, button("Close", () => at("keys").close(), {class: "main"})));
-  at("keys").showModal();
+    element("p", {class: "controls"}, button("Close", close, {class: "main", autofocus: true}))));
 }
 at("help").addEventListener("click", showHelp);
 

@@ -4,6 +4,7 @@
 #include "server/RequestGuard.hpp"
 
 #include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/post.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <boost/beast/core/buffers_to_string.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
@@ -62,8 +63,10 @@ RequestInfo requestInfo(const HttpExchange& exchange) {
           visits};
 }
 
-/// Sends the response and closes the connection.
-void sendReply(const std::shared_ptr<HttpExchange>& exchange, HttpReply answer) {
+/// Sends the response and closes the connection. A long response has more time, for a slow network.
+void sendReply(const std::shared_ptr<HttpExchange>& exchange, HttpReply answer, std::chrono::milliseconds time) {
+  constexpr std::size_t slowest = 100; // [bytes/ms], 100 kB/s
+  exchange->stream.expires_after(time + std::chrono::milliseconds{answer.body.size() / slowest});
   auto& response = exchange->response;
   response.result(answer.status);
   response.set(http::field::content_type, answer.type);
@@ -183,7 +186,8 @@ void WebSocketSession::end() {
   if (open_) {
     open_ = false;
     boost::beast::get_lowest_layer(socket_).close();
-    closed_();
+    // Later: who sends to panels one after the other must not lose one meanwhile.
+    boost::asio::post(socket_.get_executor(), [self = shared_from_this()] { self->closed_(); });
   }
 }
 
@@ -243,16 +247,18 @@ struct HttpServer::Implementation : std::enable_shared_from_this<Implementation>
   void answer(const std::shared_ptr<HttpExchange>& exchange) {
     const RequestInfo asked = requestInfo(*exchange);
     if (const auto refusal = guard.check(asked)) {
-      sendReply(exchange, {refusal->status, "text/plain; charset=utf-8", refusal->sentence + "\n"});
+      sendReply(exchange, {refusal->status, "text/plain; charset=utf-8", refusal->sentence + "\n"}, calls.requestTime);
     } else if (!asked.live) {
-      sendReply(exchange, calls.file(guard.pathOf(asked.target)));
+      sendReply(exchange, calls.file(guard.pathOf(asked.target)), calls.requestTime);
     } else if (guard.pathOf(asked.target) == "live" && panels.size() >= mostPanels) {
-      sendReply(exchange, {503, "text/plain; charset=utf-8",
-                           fmt::format("The panel is open {} times already, which is the limit.\n", mostPanels)});
+      sendReply(exchange,
+                {503, "text/plain; charset=utf-8",
+                 fmt::format("The panel is open {} times already, which is the limit.\n", mostPanels)},
+                calls.requestTime);
     } else if (guard.pathOf(asked.target) == "live") {
       welcome(exchange);
     } else {
-      sendReply(exchange, {404, "text/plain; charset=utf-8", "There is no live connection here.\n"});
+      sendReply(exchange, {404, "text/plain; charset=utf-8", "There is no live connection here.\n"}, calls.requestTime);
     }
   }
 
@@ -302,14 +308,12 @@ std::string HttpServer::address() const {
 
 void HttpServer::send(std::size_t panel, const Message& message) {
   if (const auto found = implementation_->panels.find(panel); found != implementation_->panels.end()) {
-    const auto live = found->second;
-    live->send(message);
+    found->second->send(message);
   }
 }
 
 void HttpServer::sendAll(const Message& message) {
-  const auto panels = implementation_->panels; // copy: a panel that ends removes itself
-  for (const auto& [number, live] : panels) {
+  for (const auto& [number, live] : implementation_->panels) {
     live->send(message);
   }
 }

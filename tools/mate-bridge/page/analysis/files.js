@@ -17,9 +17,14 @@ const kinds = {
   "poses.json": "the poses suggested in Next poses",
 };
 
-export const requestFile = file => act({do: "make", file});
+const requested = new Set(); // files that this page waits for: others may have asked for theirs
+
+export function requestFile(file) {
+  if (act({do: "make", file})) requested.add(file);
+}
 
 on("made", async ({file}) => {
+  if (!requested.delete(file)) return;
   const answer = await fetch("made/" + file).catch(() => null);
   if (answer && answer.ok) download(file, await answer.blob());
   else notice(file + " was written, but could not be fetched from the bridge; try again.");
@@ -39,7 +44,7 @@ export function showFiles(parent) {
 
 // Disabled while the bridge is busy.
 export function filesWorked(parent) {
-  for (const go of parent.querySelectorAll("form.paths button")) go.disabled = Boolean(state.work);
+  for (const go of parent.querySelectorAll("form.paths button, form.missing [type=submit]")) go.disabled = Boolean(state.work);
 }
 
 function paths(id, label, value, changed, go, words) {

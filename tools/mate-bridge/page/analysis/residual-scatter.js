@@ -1,5 +1,5 @@
 // Scatter of residuals over recorded quantities: options of both axes, and the points.
-import {pictureName} from "naocal/lib/captures.js";
+import {orderOfTaking, pictureName} from "naocal/lib/captures.js";
 import {axisNames} from "naocal/lib/readings.js";
 import {short, withError, withUnit} from "naocal/lib/format.js";
 import {binnedMeans, mean} from "naocal/lib/statistics.js";
@@ -59,8 +59,11 @@ function corners(fit, horizontal, vertical, camera) {
 }
 
 /** Names and tips of readings; the captures of a click. */
-export const readingTools = fit => ({layer: () => state.layer, nameOf: ({of}) => pictureName(fit.captures[of]), orderOf: ({of}) => fit.captures[of].capture,
-  pictureOf: ({of}) => fit.captures[of], isChosen: state.chosen ? ({of}) => isChosen(fit.captures[of]) : undefined});
+export function readingTools(fit) {
+  const places = orderOfTaking(fit.captures);
+  return {layer: () => state.layer, nameOf: ({of}) => pictureName(fit.captures[of]), orderOf: ({of}) => places[of],
+    pictureOf: ({of}) => fit.captures[of], isChosen: state.chosen ? ({of}) => isChosen(fit.captures[of]) : undefined};
+}
 
 function readings(fit, horizontal, {series, of}) {
   const tools = readingTools(fit);

@@ -22,7 +22,11 @@ export function showCalibrate(parent) {
   const before = shownRobot;
   parentShown = parent;
   shownRobot = selectedRobot();
-  if (before && before !== shownRobot) send({do: "unwatch", robot: before});
+  if (before && before !== shownRobot) {
+    send({do: "unwatch", robot: before});
+    tellQuestion(before, false);
+  }
+  if (shownRobot) tellQuestion(shownRobot, true);
   const why = whyNothing();
   renew(parent, element("div", {class: "heading"}, element("h1", {}, "Calibrate"), robotBar(again)), ...(why ? [empty(...why)] : content()));
   if (why) want("match", null, []);
@@ -33,6 +37,7 @@ const again = () => showCalibrate(parentShown);
 
 export function leaveCalibrate() {
   parentShown = null;
+  if (shownRobot) tellQuestion(shownRobot, false);
   restWhenDone();
 }
 
@@ -135,6 +140,7 @@ function progress(state, player) {
 
 export function onMessage(message, file, isShown) {
   const {kind, robot} = message, here = isShown && parentShown && robot === shownRobot;
+  if (kind === "robotGone") ["hold ", "question "].forEach(cause => endNotice(cause + robot));
   if (kind === "picture") {
     const seen = robot === shownRobot && cameras.find(({key}) => key === message.key);
     if (seen && here) seen.camera.show(file, message);
@@ -170,11 +176,23 @@ function updated(robot, values, isShown) {
     if (key === stateKey) {
       ended(robot, old, value, running);
       if (robot === shownRobot && old && running(old.phase)) restWhenDone();
-      if (old && old.sentence !== value.sentence && !running(value.phase)) [offsetsMount, mountsMount].forEach(mount => act({do: "keys", robot, mount})); // reads back the present values
+      if (old && old.sentence !== value.sentence && !running(value.phase)) readBack(robot);
+      tellQuestion(robot, isShown);
     }
+    if (key === outcomeKey && JSON.stringify(old) !== JSON.stringify(value)) readBack(robot);
     if (key === playerKey && value.held && !(old && old.held) && !isShown) notice(nameOf(robot) + ": " + (value.reason || "Hold it by its trunk: its eyes are yellow."), "hold " + robot);
     if (key === playerKey && !value.held) endNotice("hold " + robot);
   }
+}
+
+// Reads the values back that the robot has now.
+const readBack = robot => [offsetsMount, mountsMount].forEach(mount => act({do: "keys", robot, mount}));
+
+// A robot waits for its answer without limit, so other views tell of its question.
+function tellQuestion(robot, isShown) {
+  const question = valueOf(robot, stateKey)?.question;
+  if (question && !isShown) notice(nameOf(robot) + " waits in Calibrate: " + question, "question " + robot);
+  else endNotice("question " + robot);
 }
 
 let due = false;

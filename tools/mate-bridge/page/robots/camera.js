@@ -52,8 +52,8 @@ class Camera {
   drawFound(context, now) {
     if (!this.found || Math.abs(now - this.found.timestamp) > corners) return "";
     const all = this.found.boards.flatMap(({measured, predicted}) => measured.filter((_, i) => i % 2 === 0).map((x, i) => {
-      const told = predicted.length > 0;
-      return {x, y: measured[2 * i + 1], endX: told ? predicted[2 * i] : x, endY: told ? predicted[2 * i + 1] : measured[2 * i + 1]};
+      const y = measured[2 * i + 1], told = predicted.length > 0; // no prediction: the board is not on the floor, or hardly seen
+      return {x, y, ...(told ? {endX: predicted[2 * i], endY: predicted[2 * i + 1]} : {})};
     }));
     const scale = context.canvas.width / 640;
     const scaled = all.map(one => Object.fromEntries(Object.entries(one).map(([name, value]) => [name, (value + 0.5) / scale])));
@@ -62,8 +62,9 @@ class Camera {
     for (const halo of [true, false]) scaled.forEach(corner => drawCorner(context, corner, halo));
     context.restore();
     if (!all.length) return "; no board";
-    return "; " + this.found.boards.map(({board}) => "board " + board).join(", ") + ": " + all.length + " corners, predicted " +
-      px(rms(all.map(({x, y, endX, endY}) => Math.hypot(endX - x, endY - y)))) + " off";
+    const predicted = all.filter(({endX}) => endX !== undefined);
+    return "; " + this.found.boards.map(({board}) => "board " + board).join(", ") + ": " + all.length + " corners, " + (!predicted.length ? "not predicted: not on the floor"
+      : (predicted.length < all.length ? predicted.length + " of them " : "") + "predicted " + px(rms(predicted.map(({x, y, endX, endY}) => Math.hypot(endX - x, endY - y)))) + " off");
   }
 }
 

@@ -17,10 +17,14 @@ export function showKeys(parent) {
 
 export function onMessage(message, isShown) {
   if (message.kind === "keys") compare(message);
+  if (message.kind === "robotGone" || (message.kind === "robot" && !message.connected)) forget(message.robot);
   if (!isShown || !parentShown || !["robot", "robotGone", "mounts", "keys"].includes(message.kind)) return;
   if (message.robot === selectedRobot() || message.kind === "robotGone") showKeys(parentShown);
   else refreshBar(parentShown, () => showKeys(parentShown));
 }
+
+// A robot that restarts has its saved values again.
+const forget = robot => [...changed.keys()].filter(place => place.startsWith(robot + "\n")).forEach(place => changed.delete(place));
 
 // A robot rejects a value silently: its reply then contains the old value.
 function compare({robot, body}) {

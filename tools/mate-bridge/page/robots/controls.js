@@ -19,7 +19,7 @@ export function steer({robot, entry, state, player, isRunning, kinds, draw, when
   const asks = what => () => { confirming = what && {what, robot}; draw(); };
   if (kinds && kinds.length && !kinds.some(({run}) => run === known.chosen)) known.chosen = kinds[0].run;
   const {chosen} = known, held = player && player.held && !question && (player.reason || "Hold the robot by its trunk: its eyes are yellow.");
-  when("steer", [robot, connected, isRunning, confirming, sentence, kinds, chosen, question, held, state && state.kind], () => [
+  when("steer", [robot, connected, isRunning, confirming, sentence, kinds, chosen, question, state && state.questionNumber, held, state && state.kind], () => [
     held ? element("div", {class: "confirm asks", role: "alert"}, element("p", {class: "hold"}, element("span", {class: "eyes"}), held)) : "",
     isRunning ? element("p", {}, element("b", {}, titleOf(kinds, state.kind)), " is under way. Stop is at the top, or the key s.")
       : choice(kinds, known, connected, asks(null)),

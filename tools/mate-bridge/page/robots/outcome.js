@@ -23,13 +23,15 @@ export function outcome(state, isRunning, told) {
   return shown;
 }
 
-// Joint offsets on the robot before and now, with two sigmas where a calibration determined them.
+const shownTo = 5e-3; // [°]: half of the last digit
+
+// Joint offsets on the robot before and now, with two sigmas where a calibration determined what the robot has now.
 export function offsets(told, before, now) {
   if (!now || !now.length) return [];
   const value = (list, joint) => list ? list.find(({key}) => key.toLowerCase() === joint.toLowerCase())?.value : undefined;
   const rows = now.filter(({value}) => typeof value === "number").map(({key, value: after}) => {
     const found = told && told.joints.find(({joint}) => joint.toLowerCase() === key.toLowerCase());
-    return {joint: key, before: found ? found.before : value(before, key), after, sigma: found ? found.sigma : null};
+    return {joint: key, before: found ? found.before : value(before, key), after, sigma: found && Math.abs(found.after - after) < shownTo ? found.sigma : null};
   }).filter(row => row.after !== 0 || row.sigma !== null || (row.before !== undefined && row.before !== row.after));
   if (!rows.length) return [element("h2", {}, "Joint offsets on the robot"), element("p", {class: "soft"}, "No offsets: joint readings are used as they are.")];
   const table = element("table", {}, element("thead", {}, element("tr", {}, element("th", {scope: "col"}, "joint"), element("th", {scope: "col", class: "number"}, "before"),

@@ -28,7 +28,7 @@ export function endUpload() {
   upload.failed = true;
   upload.told?.();
 }
-on("refused", endUpload);
+on("refused", message => { if (upload && message.number === upload.number) endUpload(); });
 
 /** Waits for the bridge's answer to what was sent. @param {boolean} sent */
 async function answered(sent) {

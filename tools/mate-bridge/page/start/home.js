@@ -85,7 +85,9 @@ function trying(told) {
 // Robots.
 
 function robots(told, again) {
-  const kept = told?.robots ?? [], text = typedRobots ?? kept.join("\n"), search = told?.search;
+  const kept = told?.robots ?? [];
+  if (typedRobots !== null && linesOf(typedRobots).join("\n") === kept.join("\n")) typedRobots = null;
+  const text = typedRobots ?? kept.join("\n"), search = told?.search;
   const field = element("textarea", {rows: "2", id: "homeRobots", class: "code", spellcheck: "false", "aria-label": "addresses of robots, one per line", placeholder: "nao21\n10.1.24.22",
     oninput: () => { typedRobots = field.value; }});
   field.value = text;
@@ -95,9 +97,8 @@ function robots(told, again) {
   const row = (mark, address, words) => element("li", {}, element("span", {class: "mark " + mark, "aria-hidden": "true"}), element("b", {}, address), element("span", {class: "soft"}, words), connect(address));
   return card("Robots", element("form", {onsubmit: event => {
     event.preventDefault();
-    const listed = linesOf(field.value);
-    typedRobots = null;
-    if (!act({do: "findRobots", robots: listed})) typedRobots = field.value;
+    typedRobots = field.value; // until the bridge has the same: it may refuse one of them
+    act({do: "findRobots", robots: linesOf(field.value)});
     again();
   }}, element("p", {}, "Addresses of your robots, one per line: HOST, HOST:PORT, or the folder of UNIX sockets. They are kept. Only these are asked."), field,
   element("p", {class: "controls"}, element("button", {type: "submit", disabled: Boolean(search?.searching)}, "Look for robots"),

@@ -27,6 +27,25 @@ export function captureNames({poses, pictures}) {
   };
 }
 
+/**
+ * The place of each in the order of taking, from 1; sets follow each other, for captures are numbered within their set.
+ * @param {{set: string, capture: number}[]} taken
+ * @returns {number[]}
+ */
+export function orderOfTaking(taken) {
+  const sets = [...new Set(taken.map(({set}) => set))];
+  const sorted = taken.map(({set, capture}, i) => ({set: sets.indexOf(set), capture, i})).sort((a, b) => a.set - b.set || a.capture - b.capture);
+  /** @type {number[]} */
+  const places = [];
+  let place = 0;
+  sorted.forEach((one, at) => {
+    const before = sorted[at - 1];
+    if (!before || before.set !== one.set || before.capture !== one.capture) ++place;
+    places[one.i] = place;
+  });
+  return places;
+}
+
 /** Cache: corners and rms error of each picture, by layer. @type {WeakMap<Picture, Record<string, {corners: Corner[], error: number}>>} */
 const known = new WeakMap();
 

@@ -10,10 +10,10 @@ import {cornersOf, lengthOf, pictureError} from "naocal/lib/captures.js";
 export const doubtfulBelow = 0.5; // weight; corners below are drawn as doubtful
 
 /**
- * Draws a corner: ring = measured, cross = predicted. `halo`: a wide pale underlay, for contrast with the
+ * Draws a corner: ring = measured, cross = predicted, if it is. `halo`: a wide pale underlay, for contrast with the
  * photograph.
  * @param {CanvasRenderingContext2D} context
- * @param {{x: number, y: number, endX: number, endY: number, doubtful?: boolean}} corner
+ * @param {{x: number, y: number, endX?: number, endY?: number, doubtful?: boolean}} corner
  * @param {boolean} halo
  */
 export function drawCorner(context, {x, y, endX, endY, doubtful}, halo) {
@@ -24,7 +24,7 @@ export function drawCorner(context, {x, y, endX, endY, doubtful}, halo) {
     path();
     context.stroke();
   };
-  stroke("orange", () => {
+  if (endX !== undefined && endY !== undefined) stroke("orange", () => {
     context.moveTo(x, y); context.lineTo(endX, endY);
     context.moveTo(endX - 3, endY - 3); context.lineTo(endX + 3, endY + 3);
     context.moveTo(endX - 3, endY + 3); context.lineTo(endX + 3, endY - 3);

@@ -3,7 +3,7 @@ import {bold, choosing, element} from "naocal/lib/dom.js";
 import {captioned} from "naocal/lib/figure.js";
 import {short, withError, withUnit} from "naocal/lib/format.js";
 import {binnedMeans, mean, trendStrength} from "naocal/lib/statistics.js";
-import {captureNames} from "naocal/lib/captures.js";
+import {captureNames, orderOfTaking} from "naocal/lib/captures.js";
 import {modelChoice} from "naocal/views/model-choice.js";
 import {drawScatter} from "naocal/plots/residual-scatter.js";
 
@@ -11,9 +11,8 @@ import {drawScatter} from "naocal/plots/residual-scatter.js";
 
 /** Pose order as a driver, to show drifts. @param {Diagnosis} data @returns {Driver} */
 function poseOrder({poses, pictures}) {
-  const first = poses.map(pose => Math.min(...pose.pictures.map(picture => pictures[picture].capture)));
-  const sorted = [...first].sort((a, b) => a - b);
-  return {what: "the order of the poses", unit: "", joint: "", values: pictures.map(({pose}) => 1 + sorted.indexOf(first[pose]))};
+  const places = orderOfTaking(poses.map(pose => ({set: pose.set, capture: Math.min(...pose.pictures.map(picture => pictures[picture].capture))})));
+  return {what: "the order of the poses", unit: "", joint: "", values: pictures.map(({pose}) => places[pose])};
 }
 
 /** A joint's points over a driver, and their binned means. @param {Diagnosis} data @param {Left} left @param {string} joint @param {Driver} driver */

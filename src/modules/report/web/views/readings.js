@@ -1,6 +1,6 @@
 // Readings of trackers and contacts that a model of the diagnosis leaves off.
 import {element} from "naocal/lib/dom.js";
-import {captureNames} from "naocal/lib/captures.js";
+import {captureNames, orderOfTaking} from "naocal/lib/captures.js";
 import {arrowsOfReadings, arrowsWords, dotsOfReadings, dotsWords, histogramsOfReadings, histogramWords} from "naocal/plots/reading-sections.js";
 import {modelChoice} from "naocal/views/model-choice.js";
 
@@ -9,9 +9,8 @@ import {modelChoice} from "naocal/views/model-choice.js";
 /** @param {Diagnosis} data @param {ViewTools} tools @returns {import("naocal/lib/readings.js").ReadingTools} */
 function toolsOf(data, {open}) {
   const {captureName} = captureNames(data);
-  const sorted = data.pictures.map((picture, i) => ({capture: picture.capture, i})).sort((a, b) => a.capture - b.capture);
-  const places = new Map(sorted.map(({i}, place) => [i, place + 1]));
-  return {layer: () => /** @type {Layer} */ ("reported"), nameOf: ({of}) => captureName(of), orderOf: ({of}) => places.get(of) ?? 0,
+  const places = orderOfTaking(data.pictures.map(({pose, capture}) => ({set: data.poses[pose].set, capture})));
+  return {layer: () => /** @type {Layer} */ ("reported"), nameOf: ({of}) => captureName(of), orderOf: ({of}) => places[of],
     pictureOf: (/** @type {Reading} */ {of}) => of, open};
 }
 
