@@ -5,6 +5,7 @@
 #include "calibration/NoiseEstimation.hpp"
 #include "calibration/Outliers.hpp"
 #include "calibration/ReadingNoise.hpp"
+#include "calibration/SharedCauses.hpp"
 #include "calibration/Uncertainty.hpp"
 #include "calibration/result/Verdict.hpp"
 
@@ -29,6 +30,7 @@ struct NoiseConsistentFit {
   NoiseLevels levels;
   NoiseSource source = NoiseSource::configured;
   std::optional<MissingEffectAnalysis> explained;
+  std::vector<SharedCause> causes = {}; // of what an earlier search rejected
 };
 
 /// Sets the noise of readings that the sets do not give, and the pixel noise: from repeats, else from the residuals
@@ -70,6 +72,27 @@ Fit fitFurther(const Measurements& measurements, const Model& model, const Calib
                         : refit(measurements, model, noise, Loss{}, std::move(from), coarseTolerance);
 }
 
+/// The analysis of missing effects. Where the base model's fit rejects measurements, they may share a cause that it
+/// lacks: then a second search starts with all of them at full weight, and the shorter description of all measurements
+/// counts, in which each rejected one has its price.
+MissingEffectAnalysis explain(const Measurements& measurements, const Model& model, const NoiseConsistentFit& start,
+                              const std::optional<RepeatInfo>& repeats, const CalibrationOptions& options) {
+  constexpr double some = 0.005; // share: more than the tails of good corners
+  MissingEffectAnalysis explained =
+      analyseMissingEffects(measurements, model, start.fit, start.levels.noise, repeats, options);
+  if (!options.robust || shareOfDoubtful(measurements, model, start.fit) <= some) {
+    return explained;
+  }
+  try {
+    const Fit whole = refit(measurements, model, start.levels.noise, Loss{}, start.fit, coarseTolerance);
+    MissingEffectAnalysis other =
+        analyseMissingEffects(measurements, model, whole, start.levels.noise, repeats, options);
+    return describe(measurements, other) < describe(measurements, explained) ? std::move(other) : std::move(explained);
+  } catch (const InputError&) { // a rejected corner comes to lie behind its camera
+    return explained;
+  }
+}
+
 /// Refines a fit: pixel noise, joint noise levels under the widest model, and missing effects at those levels.
 NoiseConsistentFit fitWithNoise(const Measurements& measurements, const Model& model, const CalibrationOptions& options,
                                 Fit fit) {
@@ -89,12 +112,8 @@ NoiseConsistentFit fitWithNoise(const Measurements& measurements, const Model& m
     repeats = countRepeatedRests(measurements, answer.source);
   }
   if (options.testMissingEffects) {
-    answer.explained = analyseMissingEffects(measurements, model, answer.fit, answer.levels.noise, repeats, options);
+    answer.explained = explain(measurements, model, answer, repeats, options);
     answer.levels = answer.explained->levels;
-    answer.fit = answer.explained->fit;
-  } else {
-    const Loss loss = answer.fit.loss;
-    answer.fit = refit(measurements, model, answer.levels.noise, loss, std::move(answer.fit)); // converges fully
   }
   return answer;
 }
@@ -123,6 +142,26 @@ std::optional<Measurements> excludeMovedBoards(const Measurements& measurements,
   return kept;
 }
 
+/// The measurements at the weights that the likeliest explanation gives them, displaced boards left out. Absent if all
+/// count fully.
+std::optional<Measurements> weigh(const Measurements& measurements, const Model& model,
+                                  const CalibrationOptions& options, NoiseConsistentFit& answer) {
+  std::optional<Measurements> kept =
+      options.excludeDisplaced ? excludeMovedBoards(measurements, model, options, answer) : std::nullopt;
+  const Measurements& used = kept ? *kept : measurements;
+  std::optional<Measurements> weighed = answer.explained
+                                            ? weighDoubtful(used, answer.explained->larger, answer.explained->largerFit)
+                                            : weighDoubtful(used, model, answer.fit);
+  return weighed ? std::move(weighed) : std::move(kept);
+}
+
+/// The fit of the model as given, at full weight of all that the likeliest explanation takes for sound: what the model
+/// cannot explain stays in its errors. `used`: measurements with their weights.
+Fit fitAtFullWeight(const Measurements& used, const Model& model, const NoiseConsistentFit& answer) {
+  const Fit fit = refit(used, model, answer.levels.noise, Loss{}, answer.fit);
+  return answer.explained && answer.explained->lacksMoreThanScatter() ? refitWithMisfitNoise(used, model, fit) : fit;
+}
+
 /// The model with priors widened where the fit requires it (`widenPriors` in calibration/ModelUncertainty.hpp).
 std::optional<Model> widenPriors(const Model& model, const Fit& fit) {
   const Eigen::MatrixXd& hessian = fit.minimum.linear.hessian;
@@ -130,37 +169,52 @@ std::optional<Model> widenPriors(const Model& model, const Fit& fit) {
   return widenPriors(model, fit.minimum.state.unknowns, covariance.diagonal());
 }
 
-} // namespace
-
-CalibrationResult calibrate(const Measurements& measurements, const Model& model, const CalibrationOptions& options) {
-  const auto begin = std::chrono::steady_clock::now();
-  NoiseConsistentFit answer =
-      fitWithNoise(measurements, model, options, fitInitially(measurements, model, options.noise, options));
-  const auto kept = options.robust && options.excludeDisplaced
-                        ? excludeMovedBoards(measurements, model, options, answer)
-                        : std::nullopt;
-  const Measurements& used = kept ? *kept : measurements;
+/// The result at the final noise levels and weights.
+CalibrationResult conclude(const Measurements& used, const Model& model, const CalibrationOptions& options,
+                           NoiseConsistentFit& answer) {
+  answer.fit = fitAtFullWeight(used, model, answer);
   const std::optional<Model> wider = widenPriors(model, answer.fit);
   if (wider) {
-    const Loss loss = answer.fit.loss;
-    answer.fit = refit(used, *wider, answer.levels.noise, loss, std::move(answer.fit));
+    answer.fit = refit(used, *wider, answer.levels.noise, Loss{}, std::move(answer.fit));
   }
   const Model& believed = wider ? *wider : model;
   CalibrationResult result = estimateUncertainty(used, believed, answer.fit, answer.levels);
   result.noiseSource = answer.source == NoiseSource::repeats ? "repeats" : "configured";
   result.restartsTried = options.restarts;
-  if (options.robust && DisplacedBoardCount{used, result.outliers}.areTooMany()) {
-    CalibrationOptions all = options;
-    all.robust = false;
-    all.start = result.unknowns;
-    return calibrate(measurements, model, all);
-  }
   if (answer.explained) {
+    answer.explained->fit = answer.fit;
+    testCompleteness(used, model, options, *answer.explained);
     fillExplanations(*answer.explained, model, result);
   }
+  result.sharedCauses = std::move(answer.causes);
   judgeResult(used, believed, result);
-  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return result;
+}
+
+} // namespace
+
+CalibrationResult calibrate(const Measurements& measurements, const Model& model, const CalibrationOptions& options) {
+  return calibrateWeighing(measurements, model, options).result;
+}
+
+WeighedCalibration calibrateWeighing(const Measurements& measurements, const Model& model,
+                                     const CalibrationOptions& options) {
+  const auto begin = std::chrono::steady_clock::now();
+  NoiseConsistentFit answer =
+      fitWithNoise(measurements, model, options, fitInitially(measurements, model, options.noise, options));
+  std::optional<Measurements> weighed = options.robust ? weigh(measurements, model, options, answer) : std::nullopt;
+  std::vector<SharedCause> causes = weighed ? findSharedCauses(*weighed) : std::vector<SharedCause>{};
+  if (!causes.empty()) { // no accidents: the search starts again with all measurements at full weight
+    CalibrationOptions whole = options;
+    whole.robust = false;
+    whole.start = answer.fit.minimum.state.unknowns;
+    weighed.reset();
+    answer = fitWithNoise(measurements, model, whole, fitInitially(measurements, model, options.noise, whole));
+    answer.causes = std::move(causes);
+  }
+  CalibrationResult result = conclude(weighed ? *weighed : measurements, model, options, answer);
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return {std::move(result), std::move(weighed)};
 }
 
 } // namespace naocal

@@ -9,4 +9,13 @@ namespace naocal {
 CalibrationResult calibrate(const Measurements& measurements, const Model& model,
                             const CalibrationOptions& options = {});
 
+/// A calibration, and the measurements as it weighs them.
+struct WeighedCalibration {
+  CalibrationResult result;
+  std::optional<Measurements> weighed; // absent: all at full weight
+};
+/// The same, for further fits of other models to the same measurements at the same weights.
+WeighedCalibration calibrateWeighing(const Measurements& measurements, const Model& model,
+                                     const CalibrationOptions& options = {});
+
 } // namespace naocal

@@ -240,19 +240,6 @@ bool isMostlyOutliers(const BoardResidual& observation) {
          2 * (observation.weight.array() < outlierWeight).count() > observation.weight.size();
 }
 
-Fit refitWithWideLoss(const Measurements& measurements, const Model& model, Fit from) {
-  const Residuals residuals{measurements, model, from.noise, from.loss};
-  const std::vector<BoardResidual> observations = residuals.boardResiduals(from.minimum.state);
-  if (std::none_of(observations.begin(), observations.end(), isMostlyOutliers)) {
-    return from;
-  }
-  const double distance =
-      spreadOf(residuals.boardResiduals(residuals.startState(from.minimum.state.unknowns)), farCorner);
-  const Noise noise = from.noise;
-  const Loss farther{std::max(from.loss.scale, distance / noise.pixel)};
-  return std::isfinite(distance) ? refit(measurements, model, noise, farther, std::move(from)) : from;
-}
-
 Fit refitWithMisfitNoise(const Measurements& measurements, const Model& model, const Fit& from) {
   constexpr int rounds = 2;
   constexpr double nearer = 0.9; // ratio of rms errors; above it the original weights stay

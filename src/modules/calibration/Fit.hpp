@@ -51,10 +51,6 @@ constexpr double outlierWeight = 0.7;
 /// True if more than half of the observation's corners are outliers.
 bool isMostlyOutliers(const BoardResidual& observation);
 
-/// Refit of a model that lacks an effect. If whole boards were downweighted, widens the loss to the 90 % quantile of
-/// the corner distances: these boards are valid, but predicted worst by the wrong model.
-Fit refitWithWideLoss(const Measurements& measurements, const Model& model, Fit from);
-
 /// Refit of a model that lacks an effect other than joint noise: adds the misfit beyond the noise floor to the pixel
 /// noise, or keeps joints from scattering, whichever comes nearer to the pictures. Otherwise the fit deflects joints to
 /// follow relative positions of sharp corners and ends up to several times farther from the pictures than necessary.

@@ -1,5 +1,6 @@
 #include "calibration/ModelUncertainty.hpp"
 
+#include "calibration/ReadingNoise.hpp"
 #include "calibration/Uncertainty.hpp"
 #include "estimation/CandidateTerms.hpp"
 #include "estimation/Model.hpp"
@@ -164,28 +165,15 @@ public:
     return estimateNoiseLevels(wide.problem(), noise, *repeats_, markVarying(wide.candidates()),
                                [&](const Noise& level) { return costExplanations(wide, level); });
   }
-  /// Fit accurate enough to linearise at.
+  /// Fit accurate enough to linearise at. Keeps a quadratic loss.
   Fit refineNearly(const Model& model, const Noise& noise, Fit from) const {
-    const Loss loss = from.loss;
-    return options_.robust ? fitRobustly(measurements_, model, noise, std::move(from))
-                           : refit(measurements_, model, noise, loss, std::move(from), coarseTolerance);
-  }
-  /// Fully converged fit.
-  Fit refineFully(const Model& model, const Noise& noise, Fit from) const {
-    from = refineNearly(model, noise, std::move(from));
-    const Loss loss = from.loss;
-    return refit(measurements_, model, noise, loss, std::move(from));
+    const bool isRobust = from.loss.scale > 0;
+    return isRobust ? fitRobustly(measurements_, model, noise, std::move(from))
+                    : refit(measurements_, model, noise, Loss{}, std::move(from), coarseTolerance);
   }
   WideModel wideAt(const Model& own, const std::vector<Term>& effects, const Fit& fit) const {
     return {measurements_, own, putInFront(effects, candidates_), pointOf(fit), true};
   }
-  void ask(const WideModel& wide, MissingEffectAnalysis& explained) const {
-    const Evidence evidence =
-        computeEvidence(wide.problem(), explained.levels.noise, options_.draws, options_.drawSeed);
-    explained.pValue = evidence.pValue;
-    explained.matters = evidence.matters;
-  }
-
   /// One step: fits the effects of the window's likeliest explanation. Returns false if they equal those already fitted
   /// or the linear explanation is infeasible.
   bool extend(const WideModel& wide, const Model& own, MissingEffectAnalysis& explained) const {
@@ -207,9 +195,27 @@ public:
     }
     explained.effects = effects;
     explained.larger = larger;
-    explained.levels = levelsAt(along, effects, from, noise);
+    const Noise reread = estimateReadingNoise(measurements_, larger, from, noise, options_.effects);
+    explained.levels = levelsAt(along, effects, from, reread);
     explained.largerFit = refineNearly(larger, explained.levels.noise, std::move(from));
     return true;
+  }
+
+  /// Steps to the window of the likeliest explanation.
+  void explain(MissingEffectAnalysis& explained) const {
+    constexpr int most = 3; // steps
+    for (int step = 0; step <= most; ++step) {
+      explained.own = withWeighingOffsets(measurements_, base_, explained.effects);
+      const WideModel wide = wideAt(explained.own, explained.effects, explained.largerFit);
+      explained.window = searchModelWindow(wide, explained.levels.noise, added_.size());
+      explained.names.clear();
+      for (std::size_t group = 0; group < wide.problem().groups.size(); ++group) {
+        explained.names.push_back(formatGroup(wide, group));
+      }
+      if (step == most || !extend(wide, explained.own, explained)) {
+        return;
+      }
+    }
   }
 
   /// Starts from the requested model, with user-added effects moved to the end, and its fit.
@@ -296,38 +302,55 @@ MissingEffectAnalysis analyseMissingEffects(const Measurements& measurements, co
                                             const CalibrationOptions& options) {
   const ExplanationSearch search{measurements, model, repeats, options};
   MissingEffectAnalysis result{search.levelsAt(model, {}, fit, noise), fit, {}, model, fit, model, {}, {}};
-  result.fit = result.largerFit = search.refineFully(model, result.levels.noise, fit);
+  result.fit = result.largerFit = search.refineNearly(model, result.levels.noise, fit);
   if (!search.added().empty()) {
     search.startAt(model, result.fit, result);
   }
-  constexpr int rounds = 3;
-  for (int round = 0; round <= rounds; ++round) {
-    result.own = withWeighingOffsets(measurements, search.base(), result.effects);
-    const WideModel wide = search.wideAt(result.own, result.effects, result.largerFit);
-    result.window = searchModelWindow(wide, result.levels.noise, search.added().size());
-    result.names.clear();
-    for (std::size_t group = 0; group < wide.problem().groups.size(); ++group) {
-      result.names.push_back(formatGroup(wide, group));
-    }
-    if (round == 0 && search.added().empty()) {
-      search.ask(wide, result);
-    }
-    if (round == rounds || !search.extend(wide, result.own, result)) {
-      break;
-    }
-  }
-  if (!areSame(result.effects, search.added())) { // an effect is missing, and the noise levels have changed
-    result.fit =
-        refitWithWideLoss(measurements, model, search.refineFully(model, result.levels.noise, std::move(result.fit)));
-    const bool scatters = result.levels.noise.pose >= suspectScatter;
-    if (!scatters && std::any_of(result.effects.begin(), result.effects.end(), std::not_fn(isOfJoint))) {
-      result.fit = refitWithMisfitNoise(measurements, model, result.fit);
-    }
-    search.ask(search.wideAt(model, {}, result.fit), result);
-  } else if (!search.added().empty()) {
-    search.ask(search.wideAt(model, {}, result.fit), result);
+  search.explain(result);
+  if (options.robust && result.largerFit.loss.scale == 0) { // what the explanation leaves far off are accidents
+    result.largerFit = fitRobustly(measurements, result.larger, result.levels.noise, std::move(result.largerFit));
+    search.explain(result);
   }
   return result;
+}
+
+bool MissingEffectAnalysis::lacksMoreThanScatter() const {
+  return levels.noise.pose < suspectScatter &&
+         std::any_of(effects.begin(), effects.end(), [](const Term& term) { return !isOfJoint(term); });
+}
+
+double describe(const Measurements& measurements, const MissingEffectAnalysis& explained) {
+  constexpr double detectorTail = 0.3; // [px]: errors of corners of printed boards
+  const Noise& noise = explained.levels.noise;
+  const Loss accidents{measurements.cornerCount > 0 ? std::max(1.0, detectorTail / noise.pixel) : 1};
+  const Fit fit = refit(measurements, explained.larger, noise, accidents, explained.largerFit, comparisonTolerance);
+  const Residuals::Linear& linear = fit.minimum.linear;
+  double result = 2 * linear.cost + logDeterminant(Eigen::LLT<Eigen::MatrixXd>{linear.hessian}) +
+                  2 * explained.larger.sigmas().array().log().sum() + poseNoisePenalty(noise.pose) -
+                  explained.window.unnamedGain;
+  for (const MarginalSystem& part : linear.eliminated) {
+    result += part.inner.rows() > 0 ? logDeterminant(part.inner) : 0;
+  }
+  result += 2 * static_cast<double>(explained.effects.size()) *
+            std::log(std::max<double>(1, static_cast<double>(explained.names.size())));
+  result += 4 * static_cast<double>(measurements.cornerCount) * std::log(noise.pixel);
+  for (const ImageObservation& picture : measurements.pictures) {
+    for (const WitnessObservation& observation : picture.witnesses) {
+      for (const Witness::Part& part : observation.witness->parts()) {
+        result += 2 * static_cast<double>(part.count) * std::log(sigmaOf(measurements, noise, part.level));
+      }
+    }
+  }
+  return result;
+}
+
+void testCompleteness(const Measurements& measurements, const Model& model, const CalibrationOptions& options,
+                      MissingEffectAnalysis& explained) {
+  const WideModel wide{measurements, model, testableTerms(measurements, model, options.effects), pointOf(explained.fit),
+                       true};
+  const Evidence evidence = computeEvidence(wide.problem(), explained.levels.noise, options.draws, options.drawSeed);
+  explained.pValue = evidence.pValue;
+  explained.matters = evidence.matters;
 }
 
 void fillExplanations(const MissingEffectAnalysis& explained, const Model& model, CalibrationResult& result) {

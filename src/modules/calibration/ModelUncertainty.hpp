@@ -22,7 +22,7 @@ std::optional<Model> widenPriors(const Model& model, const Eigen::VectorXd& unkn
 /// The analysis of missing effects for a fitted model.
 struct MissingEffectAnalysis {
   NoiseLevels levels;             // estimated under the widest model
-  Fit fit;                        // of the model as given, at `levels`
+  Fit fit;                        // of the model as given, from which the search started
   std::vector<Term> effects;      // named effects of the likeliest explanation
   Model larger;                   // the model with `effects` in place of those that the user added to the base model
   Fit largerFit;                  // fit of `larger`; equals `fit` without effects
@@ -31,11 +31,17 @@ struct MissingEffectAnalysis {
   std::vector<std::string> names; // name of the effect or curve, per group of the window
   double pValue = 1;              // of the hypothesis that the model as given is complete (`Evidence`)
   bool matters = false;           // the missing effect moves corners by more than `threshold::negligiblePx`
+
+  /// Whether an effect is missing that is no deflection of a joint, while joints do not scatter to their limit.
+  bool lacksMoreThanScatter() const;
 };
 
 /// Estimates noise levels under the widest model and the window of explanations. Relinearises at the likeliest
 /// explanation until it no longer changes, since a linearisation far from a large effect underestimates it. Effects
 /// that the user added to the base model compete with all others, so an alias may replace them.
+///
+/// `fit`: where the search starts; if its loss is quadratic, no measurement loses weight before an explanation is
+/// found.
 ///
 /// Searches for a window of likely models, named effects and free curves alike, to average the estimates over them.
 /// Criterion: posterior probability, from linearised Bayes factors and the number of candidates (`ModelWindow`). In
@@ -44,6 +50,15 @@ struct MissingEffectAnalysis {
 MissingEffectAnalysis analyseMissingEffects(const Measurements& measurements, const Model& model, const Fit& fit,
                                             const Noise& noise, const std::optional<RepeatInfo>& repeats,
                                             const CalibrationOptions& options);
+
+/// Description length of all measurements by the likeliest explanation: -2 ln of their probability and the
+/// explanation's, up to a constant of the measurements. By Laplace's method at the minimum of `larger`, with a loss
+/// that gives each corner and reading the price of an accident at most (`Loss`).
+double describe(const Measurements& measurements, const MissingEffectAnalysis& explained);
+
+/// Tests whether the model as given is complete, at `explained.fit`; sets `pValue` and `matters`.
+void testCompleteness(const Measurements& measurements, const Model& model, const CalibrationOptions& options,
+                      MissingEffectAnalysis& explained);
 
 /// Fills the result's averages, explanations, remaining misfit, scatter and p-value from the analysis.
 void fillExplanations(const MissingEffectAnalysis& explained, const Model& model, CalibrationResult& result);

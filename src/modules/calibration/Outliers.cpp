@@ -41,23 +41,37 @@ std::vector<DoubtfulReading> findDoubtfulReadings(const std::vector<WitnessResid
   return all;
 }
 
-std::optional<Measurements> withoutDoubtfulReadings(const Measurements& measurements, const Model& model,
-                                                    const Fit& fit) {
-  constexpr double most = 0.1; // share
+std::optional<Measurements> weighDoubtful(const Measurements& measurements, const Model& model, const Fit& fit) {
   const Residuals residuals{measurements, model, fit.noise, fit.loss};
-  std::vector<DoubtfulReading> doubtful = findDoubtfulReadings(residuals.witnessResiduals(fit.minimum.state));
-  if (doubtful.empty() ||
-      static_cast<double>(doubtful.size()) > most * static_cast<double>(measurements.witnessCount)) {
+  const std::vector<BoardResidual> boards = residuals.boardResiduals(fit.minimum.state);
+  const std::vector<WitnessResidual> readings = residuals.witnessResiduals(fit.minimum.state);
+  if (std::all_of(boards.begin(), boards.end(),
+                  [](const BoardResidual& board) { return (board.weight.array() >= 1).all(); }) &&
+      std::all_of(readings.begin(), readings.end(), [](const WitnessResidual& one) { return one.weight >= 1; })) {
     return std::nullopt;
   }
-  Measurements kept = measurements;
-  std::reverse(doubtful.begin(), doubtful.end()); // so that removals do not shift those to come
-  for (const DoubtfulReading& one : doubtful) {
-    auto& witnesses = kept.pictures[one.picture].witnesses;
-    witnesses.erase(witnesses.begin() + static_cast<std::ptrdiff_t>(one.witness));
-    --kept.witnessCount;
+  Measurements weighed = measurements;
+  for (const BoardResidual& board : boards) {
+    CornerBlocks& blocks = weighed.pictures[board.picture].observations[board.observation].corners;
+    for (Eigen::Index i = 0; i < board.weight.size(); ++i) {
+      blocks[static_cast<std::size_t>(i / 4)].present[i % 4] = board.weight[i];
+    }
   }
-  return kept;
+  for (const WitnessResidual& one : readings) {
+    weighed.pictures[one.picture].witnesses[one.witness].weight = one.weight;
+  }
+  return weighed;
+}
+
+double shareOfDoubtful(const Measurements& measurements, const Model& model, const Fit& fit) {
+  const Residuals residuals{measurements, model, fit.noise, fit.loss};
+  double corners = 0;
+  for (const BoardResidual& board : residuals.boardResiduals(fit.minimum.state)) {
+    corners += static_cast<double>((board.weight.array() < outlierWeight).count());
+  }
+  const auto readings = static_cast<double>(findDoubtfulReadings(residuals.witnessResiduals(fit.minimum.state)).size());
+  return std::max(corners / std::max<double>(1, static_cast<double>(measurements.cornerCount)),
+                  readings / std::max<double>(1, static_cast<double>(measurements.witnessCount)));
 }
 
 void excludeReadings(Measurements& measurements, std::size_t picture) {

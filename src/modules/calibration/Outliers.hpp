@@ -14,10 +14,12 @@ std::vector<Outlier> findOutliers(const Measurements& measurements, const Calibr
 /// Lists readings downweighted by the loss.
 std::vector<DoubtfulReading> findDoubtfulReadings(const std::vector<WitnessResidual>& residuals);
 
-/// The measurements without the readings that the fit's loss downweights. Absent if there are none, or more than 10 %:
-/// then the model is wrong and must keep them.
-std::optional<Measurements> withoutDoubtfulReadings(const Measurements& measurements, const Model& model,
-                                                    const Fit& fit);
+/// The measurements with the weights that a fit's loss gives them (`CornerBlock::present`,
+/// `WitnessObservation::weight`), so that other models are fitted to the same ones. Absent if all keep their weight.
+std::optional<Measurements> weighDoubtful(const Measurements& measurements, const Model& model, const Fit& fit);
+
+/// Share of corners and readings whose weight is below `outlierWeight` in a fit: the larger of the two shares.
+double shareOfDoubtful(const Measurements& measurements, const Model& model, const Fit& fit);
 
 /// Removes a picture's readings from the measurements.
 void excludeReadings(Measurements& measurements, std::size_t picture);
@@ -32,8 +34,6 @@ struct DisplacedBoardCount {
   bool any() const { return moved > 0; }
   /// More than 5 % of the observations: reported.
   bool areMany() const { return isMore(0.05); }
-  /// More than 20 %: not accidents but a wrong model, which must keep these observations.
-  bool areTooMany() const { return isMore(0.2); }
   /// Maximum number that may be excluded as accidents: 10 % of the observations, rounded up.
   std::size_t mostSetAside() const;
 

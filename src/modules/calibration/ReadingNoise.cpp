@@ -3,6 +3,7 @@
 #include "calibration/Outliers.hpp"
 #include "estimation/CandidateTerms.hpp"
 #include "inference/NoiseLevels.hpp"
+#include "inference/Thresholds.hpp"
 #include "math/LinearAlgebra.hpp"
 #include "math/Parallel.hpp"
 
@@ -39,7 +40,7 @@ public:
     for (const ImageObservation& picture : measurements.pictures) {
       for (const WitnessObservation& observation : picture.witnesses) {
         for (const Witness::Part& part : observation.witness->parts()) {
-          rows_[part.level] += static_cast<double>(part.count);
+          rows_[part.level] += observation.weight > 0 ? static_cast<double>(part.count) : 0;
         }
       }
     }
@@ -158,6 +159,13 @@ double findMiddle(const std::function<double(double)>& deviance, double low, dou
   return 0.5 * (findEdge(deviance, least, low) + findEdge(deviance, least, high));
 }
 
+/// The largest noise that an instrument of this kind has [m] or [rad].
+double mostNoiseOf(const ReadingLevel& level) {
+  return level.unit == ReadingLevel::Unit::radians ? threshold::mostTurnNoise
+         : level.name == contactLevel              ? threshold::mostContactNoise
+                                                   : threshold::mostPointNoise;
+}
+
 } // namespace
 
 Noise estimateReadingNoise(const Measurements& all, const Model& model, const Fit& fit, Noise noise,
@@ -166,7 +174,9 @@ Noise estimateReadingNoise(const Measurements& all, const Model& model, const Fi
     return noise;
   }
   const std::vector<ReadingLevel>& levels = all.levels;
-  const std::optional<Measurements> kept = withoutDoubtfulReadings(all, model, fit);
+  constexpr double few = 0.1; // share of readings; if more are doubtful, the model is wrong and must keep them
+  const std::optional<Measurements> kept =
+      shareOfDoubtful(all, model, fit) <= few ? weighDoubtful(all, model, fit) : std::nullopt;
   const Measurements& measurements = kept ? *kept : all;
   Model wide = model;
   for (Term& candidate : testableTerms(measurements, model, effects)) {
@@ -178,7 +188,6 @@ Noise estimateReadingNoise(const Measurements& all, const Model& model, const Fi
     noise.readings.push_back(level.sigma);
   }
   Noise trial = noise;
-  constexpr double least = 1e-5, most = 0.03; // [m] or [rad]: a laser tracker at its best, and a mark set by eye
   constexpr int rounds = 2;
   for (int round = 0; round < rounds; ++round) {
     for (std::size_t level = 0; level < levels.size(); ++level) {
@@ -189,7 +198,7 @@ Noise estimateReadingNoise(const Measurements& all, const Model& model, const Fi
               there.readings[level] = std::exp(logSigma);
               return deviance.at(there);
             },
-            std::log(least), std::log(most)));
+            std::log(threshold::leastReadingNoise), std::log(mostNoiseOf(levels[level]))));
       }
     }
     const double scatter = std::exp(minimize(

@@ -12,7 +12,7 @@ struct CornerBlock {
   Double4 x, y, z; // pointInBoard as designed [m]
   Double4 bulge;   // 1 - (r / r_max)^2: share of the board's bow at the corner [1]
   Double4 u, v;    // measured [px]
-  Double4 present; // 1, or 0 for padding
+  Double4 present; // 1; below 1: a doubtful corner's weight; 0: rejected, or padding
 };
 using CornerBlocks = std::vector<CornerBlock>;
 

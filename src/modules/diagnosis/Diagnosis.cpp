@@ -138,7 +138,8 @@ struct Assessment {
 class ModelDiagnosis {
 public:
   ModelDiagnosis(const Measurements& measurements, const Model& asked, const DiagnosisOptions& options)
-      : measurements_{measurements}, asked_{asked}, options_{options}, selection_{measurements, asked, options} {}
+      : given_{measurements}, asked_{asked}, options_{options}, selection_{measurements, asked, options},
+        measurements_{selection_.measurements()} {}
 
   Diagnosis run() {
     result_.fit = selection_.fit();
@@ -153,7 +154,6 @@ public:
     suggestOwnEffect();
     result_.lastFit = selection_.fit();
     assembleFigures({{measurements_, asked_, result_.fit}, tests_.front()}, {fitted(), tests_.back()}, result_);
-    tests_.clear(); // the refit without displaced boards needs as much memory again
     addDisplacedBoards();
     reachVerdict();
     result_.sentence = summarize(result_);
@@ -173,10 +173,10 @@ private:
 
   void findModelAnomalies() {
     if (result_.steps.size() == 1) {
-      result_.anomalies = findAnomalies(fitted(), tests_.back());
+      result_.anomalies = findAnomalies(fitted(), tests_.back(), given_);
       result_.alarm = tests_.back().evidence().pValue;
     } else { // the misfit of the effect added last may have masked an accident
-      result_.anomalies = findTransientAnomalies(fitted(), tests_.back());
+      result_.anomalies = findTransientAnomalies(fitted(), tests_.back(), given_);
     }
   }
 
@@ -215,8 +215,7 @@ private:
   void addDisplacedBoards() {
     const bool lasting = !result_.anomalies.empty() && !result_.anomalies.front().capture; // then all seem displaced
     if (!last_.unknown() && !lasting && (result_.suggested.empty() || !last_.striking)) {
-      appendNewAnomalies(findDisplacedBoards(measurements_, selection_.refitWithoutDisplacedBoards()),
-                         result_.anomalies);
+      appendNewAnomalies(findDisplacedBoards(measurements_, result_.lastFit), result_.anomalies);
     }
   }
 
@@ -252,13 +251,14 @@ private:
     }
   }
 
-  const Measurements& measurements_;
+  const Measurements& given_;
   const Model& asked_;
   const DiagnosisOptions& options_;
   StepwiseSelection selection_;
-  std::list<CandidateTests> tests_; // of the model as given, and of the latest model
-  double mostField_ = 0;            // largest evidence of a field within pictures so far
-  Assessment last_;                 // of the latest model
+  const Measurements& measurements_; // as the likeliest explanation weighs them
+  std::list<CandidateTests> tests_;  // of the model as given, and of the latest model
+  double mostField_ = 0;             // largest evidence of a field within pictures so far
+  Assessment last_;                  // of the latest model
   Diagnosis result_;
 };
 

@@ -27,13 +27,13 @@ namespace {
 
 /// Calibration with a fallback: if an accident makes the search infeasible, fixes joints to their readings and keeps
 /// all corners at full weight.
-CalibrationResult calibrateOrHold(const Measurements& measurements, const Model& model, CalibrationOptions options) {
+WeighedCalibration calibrateOrHold(const Measurements& measurements, const Model& model, CalibrationOptions options) {
   try {
-    return calibrate(measurements, model, options);
+    return calibrateWeighing(measurements, model, options);
   } catch (const InputError&) {
     options.estimateNoise = options.robust = false;
     options.noise.pose = options.noise.reapproach = options.noise.stance = 0;
-    return calibrate(measurements, model, options);
+    return calibrateWeighing(measurements, model, options);
   }
 }
 
@@ -106,9 +106,10 @@ void keepStriking(const CandidateTests& candidateTests, std::vector<std::size_t>
 
 StepwiseSelection::StepwiseSelection(const Measurements& measurements, const Model& model,
                                      const DiagnosisOptions& options)
-    : measurements_{measurements}, options_{options}, candidates_{candidateTerms(measurements, options.effects)},
-      added_{options.with}, model_{model}, fit_{calibrateFrom(model_, options.calibration.start)} {
-  levels_ = fit_.noise;
+    : first_{calibrateOrHold(measurements, model, options.calibration)}, measurements_{first_.weighed ? *first_.weighed
+                                                                                                      : measurements},
+      options_{options}, candidates_{candidateTerms(measurements, options.effects)}, added_{options.with},
+      model_{model}, fit_{first_.result} {
   std::erase_if(candidates_, [&](const Term& term) { return model_.find(term.label()) != nullptr; });
   for (const Term& term : candidates_) {
     CandidateFinding& finding = findings_.emplace_back(CandidateFinding{.term = term});
@@ -120,38 +121,14 @@ StepwiseSelection::StepwiseSelection(const Measurements& measurements, const Mod
   }
 }
 
-/// Keeps all observations, since a missing effect can resemble an accident. Uses the noise levels of the first step,
-/// estimated under the widest model, so that all steps are comparable.
+/// Uses the noise levels and weights of the first calibration, which its likeliest explanation implies, so that all
+/// steps are comparable.
 CalibrationResult StepwiseSelection::calibrateFrom(const Model& model, std::optional<Eigen::VectorXd> start) const {
   CalibrationOptions options = options_.calibration;
   options.start = std::move(start);
-  options.excludeDisplaced = false;
-  if (levels_) {
-    options.noise = *levels_;
-    options.estimateNoise = options.testMissingEffects = false;
-    if (std::none_of(fit_.outliers.begin(), fit_.outliers.end(), std::mem_fn(&Outlier::whole))) {
-      options.loss = fit_.loss; // otherwise downweighted boards first regain their weight
-    }
-  }
-  CalibrationResult result = calibrateOrHold(measurements_, model, options);
-  std::size_t doubted = 0, elsewhere = 0;
-  for (const Outlier& outlier : result.outliers) {
-    (outlier.whole && outlier.distance > threshold::impossiblePx ? elsewhere : doubted) += outlier.corners.size();
-  }
-  const auto many = [&](std::size_t corners) {
-    return static_cast<double>(corners) > threshold::manyCorners * static_cast<double>(measurements_.cornerCount);
-  };
-  if (many(doubted) || many(elsewhere / 2)) { // too many for outliers: the model is wrong and must fit them
-    options.robust = false;
-    result = calibrate(measurements_, model, options);
-  }
-  return result;
-}
-
-CalibrationResult StepwiseSelection::refitWithoutDisplacedBoards() const {
-  CalibrationOptions options = options_.calibration;
-  options.start = fit_.unknowns;
-  return calibrate(measurements_, model_, options);
+  options.noise = first_.result.noise;
+  options.estimateNoise = options.testMissingEffects = options.robust = false;
+  return calibrate(measurements_, model, options);
 }
 
 std::vector<Term> StepwiseSelection::testableTerms() const {

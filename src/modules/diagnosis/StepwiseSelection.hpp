@@ -21,8 +21,13 @@ bool isTransient(const Effect& effect);
 /// searches for a window of likely models to average the calibration's estimates over, without held-out error.
 class StepwiseSelection {
 public:
+  /// Calibrates the model. Keeps references to its arguments.
   StepwiseSelection(const Measurements& measurements, const Model& model, const DiagnosisOptions& options);
+  StepwiseSelection(const StepwiseSelection&) = delete; // measurements_ may point into this object
+  StepwiseSelection& operator=(const StepwiseSelection&) = delete;
 
+  /// All measurements at the weights of the likeliest explanation of the first calibration: equal for all models.
+  const Measurements& measurements() const { return measurements_; }
   const Model& model() const { return model_; }
   const CalibrationResult& fit() const { return fit_; }
   /// Candidates whose drivers were recorded and that the model lacks.
@@ -46,8 +51,6 @@ public:
   bool removeLastAdditions(Diagnosis& diagnosis);
   /// Whether a field within pictures keeps at least half of its evidence, whichever of the likeliest effects is added.
   bool fieldPersists(const ImageField& field, const CandidateTests& candidateTests) const;
-  /// Refits the model with displaced boards excluded; its outliers name them.
-  CalibrationResult refitWithoutDisplacedBoards() const;
   /// Fits a model that contains this one's unknowns, starting from them.
   CalibrationResult fitLarger(const Model& larger) const;
   /// Findings on each candidate.
@@ -111,13 +114,13 @@ private:
 
   CalibrationResult calibrateFrom(const Model& model, std::optional<Eigen::VectorXd> start) const;
 
+  WeighedCalibration first_;
   const Measurements& measurements_;
   const DiagnosisOptions& options_;
   std::vector<Term> candidates_;
   std::vector<std::string> added_;
   std::vector<std::string> dropped_; // labels dropped by the last addition
   Model model_;
-  std::optional<Noise> levels_;         // noise levels of the first step
   std::vector<std::string> misleading_; // labels of candidates that raise the held-out error at this step
   std::vector<std::string> byTwo_;      // labels of candidates that lower it only in combination
   std::vector<std::string> takenBack_;

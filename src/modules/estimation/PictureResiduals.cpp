@@ -86,7 +86,8 @@ Loss::Value PictureResiduals::lossOf(const WitnessObservation& observation,
                                      const Witness::Part& part) const {
   const double sigma = sigmaOf(measurements_, noise_, part.level);
   const double squares = residual.segment(part.first, part.count).squaredNorm() / (sigma * sigma);
-  return observation.view ? loss_(squares) : Loss::Value{squares, 1};
+  const auto [rho, weight] = observation.view ? loss_(squares) : Loss::Value{squares, 1};
+  return {observation.weight * rho, observation.weight * weight};
 }
 
 /// A witness: its rows over the sigma of their level, in units of pixels, like all sums. Each part has the loss of its

@@ -374,8 +374,11 @@ ExplanationCosts costExplanations(const WideModel& wide, const Noise& noise) {
 
 ModelWindow searchModelWindow(const WideModel& wide, const Noise& noise, std::size_t expected) {
   Window window{wide, noise, expected};
-  ModelWindow result;
-  result.models = findNeighbours(window, findLikeliest(window));
+  const WindowModel likeliest = findLikeliest(window);
+  Members named = likeliest.members;
+  std::erase_if(named, [&](const WindowMember& member) { return member.group >= wide.problem().named; });
+  ModelWindow result{.unnamedGain = window.model(named).cost - likeliest.cost};
+  result.models = findNeighbours(window, likeliest);
   std::sort(result.models.begin(), result.models.end(),
             [](const WindowModel& a, const WindowModel& b) { return a.cost < b.cost; });
   const WindowModel& best = result.models.front();

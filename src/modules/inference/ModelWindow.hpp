@@ -49,6 +49,7 @@ struct ModelWindow {
   double freedom = 0;               // degrees of freedom of the likeliest model
   Eigen::VectorXd mean, variance;   // posterior of the own unknowns
   std::vector<double> groupWeights; // posterior inclusion probability per group of the problem
+  double unnamedGain = 0;           // decrease of the cost by the curves of the likeliest model
 
   /// 95 % credible interval [low, high] of an own unknown: a mixture of Student's t distributions centred on each
   /// model's value.

@@ -20,6 +20,7 @@ inline constexpr double curveRarity = 16; // factor: p-values of curves are this
 inline constexpr double fieldAlarm =
     0.001; // a shape within pictures, over all fields; strict, since the tail is not bootstrapped
 inline constexpr double movedBoardAlarm = 1e-6; // p-value per set of a displaced board; strict, as it is set aside
+inline constexpr double sharedCause = 0.01;     // p-value per set of rejected measurements that share something
 inline constexpr double scatterRatio = 9;       // likelihood ratio of joint scatter at its boundary: p = 0.0013
 
 // Evidence [2 ln(Bayes factor)]
@@ -69,6 +70,15 @@ inline constexpr std::size_t fewPoses = 128;    // with fewer, one bad pose or s
                                                 // beyond, a pose at ten times the scatter still stands out by seven
 inline constexpr double manyCorners = 1.0 / 20; // share of doubted corners above which the model is at fault
 inline constexpr double undetermined = 10; // standard error in prior sigmas above which an estimate is undetermined
+
+// Noise of readings that a set does not give, per axis. Upper ends: of 97.5 % of instruments of the kind; what readings
+// differ beyond them is misfit. Points: boards and tags seen by a camera (0.2 to 5 mm) differ most, motion capture by
+// 0.05 to 1 mm, laser trackers by 0.01 to 0.15 mm. Turns: 0.05 to 1 degree. Contacts of a ball: 0.01 to 0.3 mm, by hand
+// three times as much
+inline constexpr double leastReadingNoise = 1e-5; // [m] or [rad]; a laser tracker at its best
+inline constexpr double mostPointNoise = 0.005;   // [m]
+inline constexpr double mostTurnNoise = 0.0175;   // [rad]
+inline constexpr double mostContactNoise = 0.001; // [m]
 
 // Grossly wrong set-ups [px]
 inline constexpr double impossiblePx = 25;   // distance from its prediction that no physics of a walking robot explains

@@ -72,6 +72,7 @@ private:
 struct WitnessObservation {
   std::optional<ObservationChain> view;
   std::shared_ptr<const Witness> witness;
+  double weight = 1; // below 1: doubtful, as `CornerBlock::present` of a corner
 };
 
 } // namespace naocal

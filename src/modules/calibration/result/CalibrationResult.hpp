@@ -92,6 +92,13 @@ struct DoubtfulReading {
   std::size_t picture = 0, witness = 0;
 };
 
+/// What measurements of little or no weight have in common: a joint, "time", a board, a camera. Then they are no
+/// accidents, and keep their weight.
+struct SharedCause {
+  std::string driver; // "LKneePitch", "approach of LKneePitch", "time", "board A", "camera top"
+  double p = 1;       // probability that accidents share anything as strongly
+};
+
 /// A reason for caution, with advice.
 struct Warning {
   enum class About { fit, offset, floor };
@@ -136,6 +143,7 @@ struct CalibrationResult {
   std::vector<WeakDirection> weak;
   std::vector<Outlier> outliers;
   std::vector<DoubtfulReading> doubtfulReadings;
+  std::vector<SharedCause> sharedCauses; // of measurements that lie far from the likeliest explanation
   double floorErrorAt2m = 0; // 1-sigma error of a floor point 2 m ahead [m], times `sigmaScale`; 0 without floor boards
   int iterations = 0;
   int restartsTried = 0;

@@ -55,6 +55,22 @@ json outliersJson(const Measurements& measurements, const CalibrationResult& res
   return list;
 }
 
+/// What lost its weight: counts, of how many, and what it shares.
+json rejectedJson(const Measurements& measurements, const CalibrationResult& result) {
+  std::size_t corners = 0;
+  for (const Outlier& outlier : result.outliers) {
+    corners += outlier.corners.size();
+  }
+  json share = json::array();
+  for (const SharedCause& cause : result.sharedCauses) {
+    share.push_back({{"driver", cause.driver}, {"p", cause.p}});
+  }
+  return {{"corners", corners},
+          {"readings", result.doubtfulReadings.size()},
+          {"of", {{"corners", measurements.cornerCount}, {"readings", measurements.witnessCount}}},
+          {"share", std::move(share)}};
+}
+
 /// Every corner: measured; predicted at the joint angles as read; fitted, with the joints' deflections; and its weight.
 json residualsJson(const Measurements& measurements, const CalibrationResult& result) {
   json list = json::array();
@@ -325,6 +341,7 @@ json resultJson(const FittedModel& fitted, const ResultSources& inputs) {
                   {"placementSigmas", placementSigmasJson(fitted.model, fitted.fit)},
                   {"weak", weakJson(fitted.fit)},
                   {"doubtful", outliersJson(fitted.measurements, fitted.fit)},
+                  {"rejected", rejectedJson(fitted.measurements, fitted.fit)},
                   {"floorErrorAt2m", fitted.fit.floorErrorAt2m},
                   {"iterations", fitted.fit.iterations},
                   {"restarts", {{"tried", fitted.fit.restartsTried}, {"changedTheAnswer", fitted.fit.restartsChanged}}},

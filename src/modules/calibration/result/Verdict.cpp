@@ -214,6 +214,18 @@ void warnOfDoubtful(std::size_t count, const char* kind, CalibrationResult& resu
   }
 }
 
+/// Warns of measurements that lie far from the likeliest explanation and share something.
+void warnOfSharedCause(CalibrationResult& result) {
+  if (!result.sharedCauses.empty()) {
+    const SharedCause& first = result.sharedCauses.front();
+    warn(About::fit,
+         fmt::format(
+             "the measurements that fit worst share {} (p = {:.1g}): they are no accidents, and keep their weight",
+             first.driver, first.p),
+         result);
+  }
+}
+
 void warnOfOutliers(CalibrationResult& result) {
   std::size_t corners = 0;
   for (const Outlier& outlier : result.outliers) {
@@ -267,7 +279,7 @@ void judgeResult(const Measurements& measurements, const Model& model, Calibrati
   const HeldOffsets held = findHeldOffsets(measurements, model, result);
   checkOffsets(measurements, model, held, result);
   checkFloorError(result);
-  const bool missing = result.pValue <= threshold::alarm && result.matters;
+  const bool missing = (result.pValue <= threshold::alarm && result.matters) || !result.sharedCauses.empty();
   const DisplacedBoardCount displaced{measurements, result.outliers};
   // reports a missing effect first: it implies that the offsets are uncertain
   const std::string firm =
@@ -278,6 +290,7 @@ void judgeResult(const Measurements& measurements, const Model& model, Calibrati
   result.sentence = formatVerdict(result, displaced, formatCause(result, missing), firm);
   warnOfHeldOffsets(model, held, result);
   warnOfOutliers(result);
+  warnOfSharedCause(result);
 }
 
 std::string toString(ResultVerdict verdict) {

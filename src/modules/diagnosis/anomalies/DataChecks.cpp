@@ -96,7 +96,8 @@ bool mayBeMirrored(const CandidateTests& candidateTests, std::size_t motor) {
 
 } // namespace
 
-std::vector<DataAnomaly> findAnomalies(const FittedModel& fitted, const CandidateTests& candidateTests) {
+std::vector<DataAnomaly> findAnomalies(const FittedModel& fitted, const CandidateTests& candidateTests,
+                                       const Measurements& given) {
   const auto mirrored = [&](std::size_t motor) { return mayBeMirrored(candidateTests, motor); };
   GrossMisfit misfit = GrossMisfit::assess(fitted.measurements, fitted.fit, fitted.model);
   if (misfit.isGross()) {
@@ -105,7 +106,7 @@ std::vector<DataAnomaly> findAnomalies(const FittedModel& fitted, const Candidat
   if (const auto setUp = findSetupError(fitted.measurements, misfit, mirrored)) {
     return {*setUp};
   }
-  std::vector<DataAnomaly> result = findTransientAnomalies(fitted, candidateTests);
+  std::vector<DataAnomaly> result = findTransientAnomalies(fitted, candidateTests, given);
   if (result.empty()) { // an accident is far likelier than any effect, if it is named
     if (const auto setUp = findSetUp(candidateTests, fitted.measurements)) {
       result.push_back(*setUp);
@@ -130,8 +131,9 @@ std::optional<int> firstCaptureAfter(const Moment& moment, const Measurements& m
 
 } // namespace
 
-std::vector<DataAnomaly> findTransientAnomalies(const FittedModel& fitted, const CandidateTests& candidateTests) {
-  const auto likeliest = findLikeliestEvent(fitted, candidateTests);
+std::vector<DataAnomaly> findTransientAnomalies(const FittedModel& fitted, const CandidateTests& candidateTests,
+                                                const Measurements& given) {
+  const auto likeliest = findLikeliestEvent(fitted, candidateTests, given);
   if (!likeliest) {
     return {};
   }

@@ -239,14 +239,14 @@ std::string formatAlternatives(const std::vector<Tried>& tried) {
   return text;
 }
 
-/// Fit with full weight for all corners. Absent if it puts one behind its camera.
-std::optional<CalibrationResult> calibrateWithAllCorners(const FittedModel& fitted) {
+/// Fit with full weight for all measurements. Absent if it puts a corner behind its camera.
+std::optional<CalibrationResult> calibrateInFull(const FittedModel& fitted, const Measurements& given) {
   CalibrationOptions options;
   options.noise = fitted.fit.noise;
   options.start = fitted.fit.unknowns;
-  options.estimateNoise = options.testMissingEffects = options.robust = options.excludeDisplaced = false;
+  options.estimateNoise = options.testMissingEffects = options.robust = false;
   try {
-    return calibrate(fitted.measurements, fitted.model, options);
+    return calibrate(given, fitted.model, options);
   } catch (const InputError&) {
     return std::nullopt;
   }
@@ -315,16 +315,16 @@ std::optional<LikelyEvent> findLikeliestAt(const FittedModel& fitted, const Cand
 
 } // namespace
 
-std::optional<LikelyEvent> findLikeliestEvent(const FittedModel& fitted, const CandidateTests& candidateTests) {
-  if (fitted.fit.doubtfulReadings.empty() &&
-      std::none_of(fitted.fit.outliers.begin(), fitted.fit.outliers.end(), std::mem_fn(&Outlier::whole))) {
-    return findLikeliestAt(fitted, candidateTests);
-  }
-  const std::optional<CalibrationResult> all = calibrateWithAllCorners(fitted);
+std::optional<LikelyEvent> findLikeliestEvent(const FittedModel& fitted, const CandidateTests& candidateTests,
+                                              const Measurements& given) {
+  const bool lostAny =
+      !fitted.fit.doubtfulReadings.empty() ||
+      std::any_of(fitted.fit.outliers.begin(), fitted.fit.outliers.end(), std::mem_fn(&Outlier::whole));
+  const std::optional<CalibrationResult> all = lostAny ? calibrateInFull(fitted, given) : std::nullopt;
   if (!all) {
     return findLikeliestAt(fitted, candidateTests);
   }
-  const FittedModel inFull{fitted.measurements, fitted.model, *all};
+  const FittedModel inFull{given, fitted.model, *all};
   const CandidateTests again{inFull, candidateTests.candidates(), {.draws = 0}};
   return findLikeliestAt(inFull, again);
 }

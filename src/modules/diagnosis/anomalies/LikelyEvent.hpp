@@ -17,9 +17,10 @@ struct LikelyEvent {
 };
 
 /// The event that explains the misfit best, if far better than chance and than any candidate effect or curve. All
-/// events are ranked by evidence linearised at the fit; the best few are fitted to determine object and moment. If the
-/// fit downweighted whole boards, refits with all corners at full weight: they may be all that was seen after the
-/// event.
-std::optional<LikelyEvent> findLikeliestEvent(const FittedModel& fitted, const CandidateTests& candidateTests);
+/// events are ranked by evidence linearised at the fit; the best few are fitted to determine object and moment.
+/// `given`: the measurements at full weight. Where whole boards or readings lost theirs, the model is refitted to all
+/// at full weight: they may be all that was seen after the event.
+std::optional<LikelyEvent> findLikeliestEvent(const FittedModel& fitted, const CandidateTests& candidateTests,
+                                              const Measurements& given);
 
 } // namespace naocal
