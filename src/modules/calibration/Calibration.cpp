@@ -7,6 +7,7 @@
 #include "calibration/ReadingNoise.hpp"
 #include "calibration/Uncertainty.hpp"
 #include "calibration/result/Verdict.hpp"
+#include "io/InputError.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -132,7 +133,20 @@ std::optional<Model> widenPriors(const Model& model, const Fit& fit) {
 
 } // namespace
 
+void requireUnknowns(const Measurements& measurements, const Model& model) {
+  const bool asks = std::any_of(model.terms().begin(), model.terms().end(),
+                                [](const Term& term) { return term.requested && !term.isPlacement; });
+  if (!asks) {
+    throw InputError{measurements.joints.empty()
+                         ? "nothing to estimate: no joint moves what these captures measure; expected markers, boards "
+                           "or cameras on links that joints move, check which links the file names"
+                         : "nothing to estimate: expected at least one offset, camera or effect in the model, found "
+                           "none; leave fewer out"};
+  }
+}
+
 CalibrationResult calibrate(const Measurements& measurements, const Model& model, const CalibrationOptions& options) {
+  requireUnknowns(measurements, model);
   const auto begin = std::chrono::steady_clock::now();
   NoiseConsistentFit answer =
       fitWithNoise(measurements, model, options, fitInitially(measurements, model, options.noise, options));
