@@ -98,4 +98,28 @@ TEST_CASE("the window of explanations survives models without unknowns, candidat
   CHECK(sum == Approx(1));
 }
 
+TEST_CASE("a model that lies a billion pixels off is still the likeliest of its window") {
+  // Proves that the likeliest model is kept where its cost swallows the width of the window, and that costs beyond all
+  // numbers are refused in a sentence; before, the first element of an empty list was read.
+  Measurements measurements = measureV6();
+  const double far = GENERATE(1e9, 1e160);
+  for (ImageObservation& picture : measurements.pictures) {
+    for (BoardObservation& observation : picture.observations) {
+      for (CornerBlock& block : observation.corners) {
+        block.u += far * block.present;
+      }
+    }
+  }
+  const Model model = buildModel(measurements);
+  const Noise noise;
+  const Residuals residuals{measurements, model, noise, {}};
+  const FittedPoint point{residuals.startState(Eigen::VectorXd::Zero(eigenIndex(model.unknownCount()))), noise, {}};
+  const WideModel wide{measurements, model, {}, point, true};
+  if (far < 1e100) {
+    CHECK_FALSE(searchModelWindow(wide, noise).models.empty());
+  } else {
+    CHECK_THROWS_WITH(searchModelWindow(wide, noise), Catch::StartsWith("the misfit is no finite number"));
+  }
+}
+
 } // namespace naocal
