@@ -98,6 +98,22 @@ TEST_CASE("every kind of problem is found by itself, with place and remedy") {
        [](json& set) {
          set["captures"][0]["corners"][0]["uv"][0] = {-15, 20};
        }},
+      {"corners-at-one-point", 1, "captures[0] (capture 0).corners: all ",
+       [](json& set) {
+         for (json& uv : set["captures"][0]["corners"][0]["uv"]) {
+           uv = {320.2, 240};
+         }
+       }},
+      {"corners-at-one-point", 1, "as a detector that found nothing",
+       [](json& set) {
+         for (json& uv : set["captures"][0]["corners"][0]["uv"]) {
+           uv = {0, 0};
+         }
+       }},
+      {"failed-corners", 1, "1 of ",
+       [](json& set) {
+         set["captures"][0]["corners"][0]["uv"][2] = {0, 0};
+       }},
       {"unseen-board", 1, "board E",
        [](json& set) {
          set["boards"].push_back(set["boards"][0]);

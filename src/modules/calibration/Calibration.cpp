@@ -8,6 +8,7 @@
 #include "calibration/SharedCauses.hpp"
 #include "calibration/Uncertainty.hpp"
 #include "calibration/result/Verdict.hpp"
+#include "io/InputError.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -193,12 +194,25 @@ CalibrationResult conclude(const Measurements& used, const Model& model, const C
 
 } // namespace
 
+void requireUnknowns(const Measurements& measurements, const Model& model) {
+  const bool asks = std::any_of(model.terms().begin(), model.terms().end(),
+                                [](const Term& term) { return term.requested && !term.isPlacement; });
+  if (!asks) {
+    throw InputError{measurements.joints.empty()
+                         ? "nothing to estimate: no joint moves what these captures measure; expected markers, boards "
+                           "or cameras on links that joints move, check which links the file names"
+                         : "nothing to estimate: expected at least one offset, camera or effect in the model, found "
+                           "none; leave fewer out"};
+  }
+}
+
 CalibrationResult calibrate(const Measurements& measurements, const Model& model, const CalibrationOptions& options) {
   return calibrateWeighing(measurements, model, options).result;
 }
 
 WeighedCalibration calibrateWeighing(const Measurements& measurements, const Model& model,
                                      const CalibrationOptions& options) {
+  requireUnknowns(measurements, model);
   const auto begin = std::chrono::steady_clock::now();
   NoiseConsistentFit answer =
       fitWithNoise(measurements, model, options, fitInitially(measurements, model, options.noise, options));

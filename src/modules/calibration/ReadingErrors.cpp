@@ -141,6 +141,9 @@ ErrorUnit errorUnitOf(const Measurements& measurements, const Noise& noise) {
   }
   const auto most = std::max_element(readings.begin(), readings.end(),
                                      [](const auto& a, const auto& b) { return a.second < b.second; });
+  if (most == readings.end()) {
+    return {};
+  }
   const double perAxis = sigmaOf(measurements, noise, most->first) / (std::sqrt(2.0) * noise.pixel);
   return {"mm", 1e3 * std::sqrt(3.0) * perAxis};
 }

@@ -48,6 +48,7 @@ struct ErrorUnit {
 };
 
 /// Pixels; of a set without pictures millimetres of the instrument with the most readings: an error of as many sigmas.
+/// Without any measurement, pixels.
 ErrorUnit errorUnitOf(const Measurements& measurements, const Noise& noise);
 nlohmann::json toJson(const ErrorUnit& unit);
 

@@ -364,6 +364,7 @@ Diagnosis diagnoseScatter(const Measurements& measurements, const Model& asked, 
 Diagnosis diagnose(const Measurements& measurements, const DiagnosisOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
   const Model asked = buildModel(measurements, options.with, options.without, options.effects);
+  requireUnknowns(measurements, asked);
   Diagnosis result;
   try {
     result = diagnoseScatter(measurements, asked, options);

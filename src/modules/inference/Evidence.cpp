@@ -42,6 +42,9 @@ double boundChance(const ScoreProblem& problem, double smallest) {
 
 /// 2 ln(Bayes factor) of a group. For a smooth curve, the mean over its degrees, all equally likely a priori.
 double groupBayesFactor(const ColumnGroup& group, const Eigen::MatrixXd& information, const Eigen::VectorXd& score) {
+  if (group.count == 0) { // nothing that there could be evidence for
+    return 0;
+  }
   const Eigen::Index part = group.part > 0 ? group.part : group.count;
   std::vector<double> degrees;
   for (Eigen::Index count = part; count <= group.count; count += part) {

@@ -3,6 +3,7 @@
 #include "inference/Evidence.hpp"
 #include "inference/PoseMisfit.hpp"
 #include "inference/Thresholds.hpp"
+#include "io/InputError.hpp"
 #include "math/LinearAlgebra.hpp"
 #include "math/Statistics.hpp"
 
@@ -75,6 +76,8 @@ public:
     }
     return result;
   }
+  /// False where squares of the residuals overflow.
+  bool isFinite() const { return std::isfinite(misfit_.within) && score_.allFinite() && alone0_.allFinite(); }
   double misfitOf(const WindowModel& model) const { return std::max(1.0, model.chi2 / model.freedom); }
   /// Cost of the effects with nonzero sizes at the linearisation point, relative to it, without what another size of
   /// theirs would gain.
@@ -357,12 +360,21 @@ std::vector<WindowModel> findNeighbours(Window& window, const WindowModel& best)
   std::vector<WindowModel> byWidth;
   const double most = best.cost - 2 * std::log(leastWeight);
   for (const WindowModel& model : result) {
-    if (model.cost < most) {
+    if (model.cost <= most) { // of the best always, even where its cost swallows the difference
       std::vector<WindowModel> models = window.modelsByWidth(model.members);
       std::move(models.begin(), models.end(), std::back_inserter(byWidth));
     }
   }
   return byWidth;
+}
+
+/// Throws InputError for costs or estimates of measurements that are so far from every prediction that sums of their
+/// squares overflow.
+void requireFinite(bool isFinite) {
+  if (!isFinite) {
+    throw InputError{"the misfit is no finite number: these captures do not belong together; look for boards whose "
+                     "corners all lie at one point, and for huge values"};
+  }
 }
 
 } // namespace
@@ -375,6 +387,7 @@ ExplanationCosts costExplanations(const WideModel& wide, const Noise& noise) {
 ModelWindow searchModelWindow(const WideModel& wide, const Noise& noise, std::size_t expected) {
   Window window{wide, noise, expected};
   const WindowModel likeliest = findLikeliest(window);
+  requireFinite(window.isFinite() && std::isfinite(likeliest.cost));
   Members named = likeliest.members;
   std::erase_if(named, [&](const WindowMember& member) { return member.group >= wide.problem().named; });
   ModelWindow result{.unnamedGain = window.model(named).cost - likeliest.cost};
@@ -402,6 +415,7 @@ ModelWindow searchModelWindow(const WideModel& wide, const Noise& noise, std::si
   for (const WindowModel& model : result.models) {
     result.variance += model.weight * (result.misfit * model.variances + (model.unknowns - result.mean).cwiseAbs2());
   }
+  requireFinite(result.mean.allFinite() && result.variance.allFinite());
   return result;
 }
 

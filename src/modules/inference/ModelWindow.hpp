@@ -64,7 +64,8 @@ struct ExplanationCosts {
 };
 ExplanationCosts costExplanations(const WideModel& wide, const Noise& noise);
 
-/// Searches the window at one noise level. `expected`: as above. Models have at most four members.
+/// Searches the window at one noise level. `expected`: as above. Models have at most four members; the window contains
+/// at least the likeliest. Throws InputError if its cost or the estimates are not finite.
 ModelWindow searchModelWindow(const WideModel& wide, const Noise& noise, std::size_t expected = 0);
 
 } // namespace naocal

@@ -70,7 +70,7 @@ void NullModel::takeDeflections(std::size_t pose, Taken& taken) {
 
 NullModel::Outcome NullModel::operator()(const PoseResiduals& residuals, const Eigen::VectorXd& priorScore) const {
   const double information = 1 / (noise_.pixel * noise_.pixel);
-  const Eigen::Index draws = residuals.front().cols();
+  const Eigen::Index draws = residuals.empty() ? 1 : residuals.front().cols();
   Outcome result;
   result.own = priorScore.replicate(1, draws);
   result.chi2.setZero(draws);

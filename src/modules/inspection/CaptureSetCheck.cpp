@@ -26,6 +26,7 @@ constexpr double limitMargin = radians(10); // a joint's offset and the stop's s
 constexpr double beyondEveryLimit = 2.2;    // no joint of a NAO reaches 126 degrees [rad]
 constexpr double degreesShare = 0.3;        // of readings beyond that: an arm may be recorded wrongly, not a third
 constexpr double cornerMargin = 3;          // of noise beyond the image's edge [px]
+constexpr double onePoint = 1;              // smaller than a marker that any detector reads [px]
 constexpr std::size_t fewPoses = 4;         // fewer leave most offsets of a leg undetermined
 
 /// The set under check, and its problems so far.
@@ -224,6 +225,40 @@ void addCornersOutside(Check& check) {
   }
 }
 
+/// Whether a detector writes this for a corner that it did not find: (0, 0) or (-1, -1).
+bool isFailureValue(const Eigen::Vector2d& uv) {
+  return uv.x() == uv.y() && (uv.x() == 0 || uv.x() == -1);
+}
+
+/// Whether all corners of a view lie at one point of the picture.
+bool areAtOnePoint(const std::vector<Eigen::Vector2d>& uv) {
+  return uv.size() > 1 && std::all_of(uv.begin(), uv.end(), [&](const Eigen::Vector2d& other) {
+           return (other - uv.front()).norm() < onePoint;
+         });
+}
+
+/// Views of boards that no detector saw: all corners at one point, or some at its value for failure.
+void addFailedCorners(Check& check) {
+  for (const Capture& capture : check.set().captures) {
+    for (const BoardCorners& corners : capture.corners.value_or(std::vector<BoardCorners>{})) {
+      const auto failed = std::count_if(corners.uv.begin(), corners.uv.end(), isFailureValue);
+      const std::string place = check.placeOf(capture) + ".corners";
+      if (areAtOnePoint(corners.uv)) {
+        check.add(Severity::doubtful, "corners-at-one-point", place,
+                  fmt::format("all {} corners of board {} lie at one point, ({:g}, {:g}) px{}; leave the view out, or "
+                              "detect its corners anew",
+                              corners.uv.size(), corners.board, corners.uv.front().x(), corners.uv.front().y(),
+                              failed > 0 ? ", as a detector that found nothing writes them" : ""));
+      } else if (failed > 0) {
+        check.add(Severity::doubtful, "failed-corners", place,
+                  fmt::format("{} of {} corners of board {} lie at the picture's very corner, as a detector that did "
+                              "not find them writes them; leave these out, or detect the corners anew",
+                              failed, corners.uv.size(), corners.board));
+      }
+    }
+  }
+}
+
 void addUnseenBoards(Check& check) {
   const CaptureSet& set = check.set();
   const auto pending = std::count_if(set.captures.begin(), set.captures.end(), [](const Capture& capture) {
@@ -328,6 +363,7 @@ CaptureSetCheck checkCaptureSet(const std::filesystem::path& folder, const Check
   addCameras(check, robot ? &*robot : nullptr);
   addPictures(check, progress);
   addCornersOutside(check);
+  addFailedCorners(check);
   addTimeOrder(check);
   if (check.survey.refusals.empty()) { // captures that cannot be read are not missing
     addCounts(check, poses.size());

@@ -190,7 +190,8 @@ Eigen::MatrixXd PlanEvaluator::totalInformation(const std::vector<ValidPose>& po
 }
 
 double PlanEvaluator::worstSigma(const Eigen::MatrixXd& sum) const {
-  return std::sqrt(judge_.covariance(ofRobot(sum, 0)).diagonal().maxCoeff());
+  const Eigen::VectorXd variances = judge_.covariance(ofRobot(sum, 0)).diagonal();
+  return variances.size() == 0 ? 0 : std::sqrt(variances.maxCoeff());
 }
 
 double PlanEvaluator::objective(const Eigen::MatrixXd& sum, const std::vector<ValidPose>& poses) const {

@@ -46,6 +46,9 @@ Eigen::MatrixXd orthonormaliser(const Eigen::MatrixXd& block) {
 } // namespace
 
 double canonicalCorrelation(const Eigen::MatrixXd& information, const ColumnGroup& one, const ColumnGroup& other) {
+  if (one.count == 0 || other.count == 0) {
+    return 0;
+  }
   const Eigen::MatrixXd between =
       orthonormaliser(information.block(one.first, one.first, one.count, one.count)).transpose() *
       information.block(one.first, other.first, one.count, other.count) *

@@ -39,7 +39,8 @@ std::optional<AddedVariable> computeAddedVariable(const CandidateTests& candidat
         place == pose.columns.end() ? 1 : moved[place - pose.columns.begin()]);
   }
   const Eigen::VectorXd believed = left.head(own), weighted = column.prior.cwiseProduct(believed);
-  add(std::nullopt, believed.dot(weighted), -weighted.dot(problem.unknowns + column.fitted), weighted[column.like]);
+  add(std::nullopt, believed.dot(weighted), -weighted.dot(problem.unknowns + column.fitted),
+      own > 0 ? weighted[column.like] : 1);
   if (!(squares > 0)) {
     return std::nullopt;
   }
@@ -84,7 +85,7 @@ std::string termLabel(const Model& model, Eigen::Index unknown) {
   const auto term = std::find_if(terms.begin(), terms.end(), [&](const Term& one) {
     return unknown < eigenIndex(one.first + one.effect.unknowns.size());
   });
-  return term->label();
+  return term == terms.end() ? "" : term->label();
 }
 
 CandidateColumn::CandidateColumn(const CandidateTests& candidateTests, std::size_t candidate,
@@ -106,7 +107,9 @@ CandidateColumn::CandidateColumn(const CandidateTests& candidateTests, std::size
   const Eigen::VectorXd shared = information.col(own).head(own);
   imitation = factor.solve(shared);
   fitted = -factor.solve(gradient.head(own));
-  shared.cwiseAbs2().cwiseQuotient(information.diagonal().head(own)).maxCoeff(&like);
+  if (own > 0) {
+    shared.cwiseAbs2().cwiseQuotient(information.diagonal().head(own)).maxCoeff(&like);
+  }
 }
 
 } // namespace naocal

@@ -27,7 +27,7 @@ struct AddedVariablePoint {
 struct AddedVariable {
   std::vector<AddedVariablePoint> points;
   double slope = 0, sigma = 0; // [the unknown's unit]; for several unknowns: in units of their joint estimate
-  std::string like;            // label of the model's effect that mimics the candidate best
+  std::string like;            // label of the model's effect that mimics the candidate best; empty without any
 };
 
 /// Absent if the model absorbs the candidate.

@@ -167,6 +167,9 @@ void fitExpression(const CandidateTests& candidateTests, const Measurements& mea
   const Evidence evidence = computeEvidence(problem, candidateTests.noise());
   const auto best = std::max_element(evidence.groups.begin(), evidence.groups.end(),
                                      [](const auto& a, const auto& b) { return a.bayes < b.bayes; });
+  if (best == evidence.groups.end()) {
+    return;
+  }
   const DriverBasis& shape = columns.cells[static_cast<std::size_t>(best - evidence.groups.begin())];
   for (std::size_t i = 0; i < single.size(); ++i) {
     const Eigen::Index column = single[i].first - shape.first;

@@ -187,7 +187,7 @@ void askWhether(const Diagnosis& diagnosis, CandidateState state, ModelAmbiguity
 } // namespace
 
 std::vector<double> posteriorProbabilities(const std::vector<double>& evidence) {
-  const double most = *std::max_element(evidence.begin(), evidence.end());
+  const double most = evidence.empty() ? 0 : *std::max_element(evidence.begin(), evidence.end());
   std::vector<double> result;
   double sum = 0;
   for (const double each : evidence) {

@@ -141,7 +141,8 @@ double EffectPairCriterion::misfit(const std::vector<ValidPose>& kept, const std
   for (const Eigen::MatrixXd& pose : told.poses) {
     sum += pose;
   }
-  return Discrimination{told.question, told.own}.misfits(sum).minCoeff();
+  const Eigen::VectorXd misfits = Discrimination{told.question, told.own}.misfits(sum);
+  return misfits.size() == 0 ? 0 : misfits.minCoeff();
 }
 
 } // namespace naocal

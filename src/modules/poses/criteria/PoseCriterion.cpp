@@ -53,6 +53,9 @@ Eigen::MatrixXd PoseCriterion::covariance(const Eigen::MatrixXd& sum) const {
 }
 
 double PoseCriterion::operator()(const Eigen::MatrixXd& information) const {
+  if (targets_ == 0) { // all poses are equally good
+    return 0;
+  }
   const Eigen::MatrixXd covariance = this->covariance(information);
   switch (criterion_) {
   case Criterion::determinant:
