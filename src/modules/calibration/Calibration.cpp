@@ -1,5 +1,6 @@
 #include "calibration/Calibration.hpp"
 
+#include "calibration/BoardMoves.hpp"
 #include "calibration/Fit.hpp"
 #include "calibration/ModelUncertainty.hpp"
 #include "calibration/NoiseEstimation.hpp"
@@ -157,6 +158,9 @@ CalibrationResult calibrate(const Measurements& measurements, const Model& model
   }
   if (answer.explained) {
     fillExplanations(*answer.explained, model, result);
+  }
+  if (options.robust && options.excludeDisplaced) {
+    estimateBoardMoves(measurements, believed, answer.fit, result);
   }
   judgeResult(used, believed, result);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
