@@ -16,7 +16,9 @@ std::vector<std::string> describeAssumptions(const Measurements& measurements, c
   std::vector<std::string> result;
   for (std::size_t set = 0; set < measurements.failedReadings.size(); ++set) {
     for (const FailedReadings& failed : measurements.failedReadings[set]) {
-      result.push_back(describeFailedReadings(failed, (*measurements.sets)[set]));
+      const CaptureSet& of = (*measurements.sets)[set];
+      result.push_back(describeFailedReadings(failed, of) +
+                       (measurements.sets->size() > 1 ? " of " + of.name : std::string{}));
     }
   }
   if (std::any_of(terms.begin(), terms.end(), [&](const Term& term) { return reliesOnOrder(measurements, term); })) {
