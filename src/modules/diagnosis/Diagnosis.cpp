@@ -1,6 +1,7 @@
 #include "diagnosis/Diagnosis.hpp"
 
 #include "calibration/Outliers.hpp"
+#include "calibration/result/Assumptions.hpp"
 #include "diagnosis/CandidateJudgement.hpp"
 #include "diagnosis/DiagnosisFigures.hpp"
 #include "diagnosis/DiagnosisWording.hpp"
@@ -101,12 +102,18 @@ Verdict verdictOf(const Diagnosis& diagnosis, const CalibrationResult& last, con
              : Verdict::adequate;
 }
 
+/// Whether two anomalies concern the same capture, and the same board where both name one.
+bool areOfSameView(const DataAnomaly& one, const DataAnomaly& other) {
+  return one.capture == other.capture &&
+         (one.moved.empty() || other.moved.empty() || one.moved == other.moved || !one.capture);
+}
+
 /// Appends anomalies of captures without an earlier anomaly.
 void appendNewAnomalies(const std::vector<DataAnomaly>& further, std::vector<DataAnomaly>& suspicious) {
   const std::vector<DataAnomaly> before = suspicious;
   std::copy_if(further.begin(), further.end(), std::back_inserter(suspicious), [&](const DataAnomaly& one) {
     return std::none_of(before.begin(), before.end(),
-                        [&](const DataAnomaly& other) { return other.capture == one.capture; });
+                        [&](const DataAnomaly& other) { return areOfSameView(one, other); });
   });
 }
 
@@ -228,6 +235,13 @@ private:
     result_.anomalies.insert(result_.anomalies.begin(), slipped.begin(), slipped.end());
     result_.verdict = verdictOf(result_, selection_.fit(), {missing, last_.unknown()}, measurements_);
     result_.with = selection_.added();
+    std::vector<Term> named = selection_.model().terms();
+    for (const CandidateFinding& finding : result_.ranking) {
+      if (finding.state == CandidateState::present || finding.state == CandidateState::aliased) {
+        named.push_back(finding.term);
+      }
+    }
+    result_.notes = describeAssumptions(measurements_, named);
   }
 
   void rankCandidates() {
@@ -271,22 +285,60 @@ bool isSpoiled(const DataAnomaly& suspicion) {
   return suspicion.capture && suspicion.odds;
 }
 
-/// Removes the corners and readings of these captures.
+/// Removes a picture's corners and readings.
+void excludeCapture(std::size_t index, Measurements& measurements) {
+  for (std::size_t observation = 0; observation < measurements.pictures[index].observations.size(); ++observation) {
+    excludeObservation(measurements, {index, observation});
+  }
+  excludeReadings(measurements, index);
+}
+
+/// Removes the corners and readings of these captures, or of the board that was displaced in them.
 Measurements excludeSuspicious(const std::vector<DataAnomaly>& suspicious, Measurements measurements) {
   for (std::size_t index = 0; index < measurements.pictures.size(); ++index) {
     const ImageObservation& picture = measurements.pictures[index];
     const int id = measurements.captureOf(picture).id;
-    const bool spoiled = std::any_of(suspicious.begin(), suspicious.end(), [&](const DataAnomaly& suspicion) {
-      return isSpoiled(suspicion) && suspicion.capture == id && suspicion.set == picture.set;
-    });
-    for (std::size_t observation = 0; spoiled && observation < picture.observations.size(); ++observation) {
-      excludeObservation(measurements, {index, observation});
-    }
-    if (spoiled) {
-      excludeReadings(measurements, index);
+    for (const DataAnomaly& suspicion : suspicious) {
+      if (!isSpoiled(suspicion) || suspicion.capture != id || suspicion.set != picture.set) {
+        continue;
+      }
+      if (suspicion.moved.empty()) {
+        excludeCapture(index, measurements);
+      }
+      for (std::size_t observation = 0; observation < picture.observations.size(); ++observation) {
+        const std::size_t board = picture.observations[observation].view.board();
+        if (suspicion.moved == measurements.targets[board].name) {
+          excludeObservation(measurements, {index, observation});
+        }
+      }
     }
   }
   return measurements;
+}
+
+/// Without pictures of which the order of captures tells no direction of approach, for the effects of a diagnosis that
+/// depend on it: each is off by as much as these effects can move it. Absent if there are none.
+std::optional<Measurements> excludeUnknownApproaches(const Diagnosis& diagnosis, const Measurements& measurements) {
+  std::vector<Eigen::Index> joints;
+  for (const CandidateFinding& finding : diagnosis.ranking) {
+    const auto& with = diagnosis.with;
+    if (reliesOnOrder(measurements, finding.term) &&
+        std::find(with.begin(), with.end(), finding.term.label()) != with.end()) {
+      joints.push_back(static_cast<Eigen::Index>(finding.term.placeIndex));
+    }
+  }
+  std::optional<Measurements> kept;
+  for (std::size_t index = 0; index < measurements.pictures.size(); ++index) {
+    const ImageObservation& picture = measurements.pictures[index];
+    const bool isUnknown = std::any_of(joints.begin(), joints.end(), [&](Eigen::Index joint) {
+      return picture.instant.approach[joint] == 0 && measurements.captureOf(picture).joints.approach.empty();
+    });
+    if (isUnknown) {
+      kept = kept ? std::move(kept) : measurements;
+      excludeCapture(index, *kept);
+    }
+  }
+  return kept;
 }
 
 /// Copies each candidate's evidence against the model as given from `all`, the diagnosis of all captures, into `left`,
@@ -304,10 +356,14 @@ void copyLoneEvidence(const std::vector<CandidateFinding>& all, std::vector<Cand
 }
 
 /// Repeats the diagnosis without captures spoiled by an accident, to find other missing effects.
-Diagnosis diagnoseWithoutSpoiled(const Measurements& measurements, const Model& asked,
-                                 const DiagnosisOptions& options) {
+Diagnosis diagnoseWithoutSpoiled(const Measurements& given, const Model& asked, const DiagnosisOptions& options) {
   constexpr int most = 4; // accidents
-  Diagnosis result = diagnoseModel(measurements, asked, options);
+  Diagnosis result = diagnoseModel(given, asked, options);
+  const std::optional<Measurements> withKnownApproach = excludeUnknownApproaches(result, given);
+  if (withKnownApproach) {
+    result = diagnoseModel(*withKnownApproach, asked, options);
+  }
+  const Measurements& measurements = withKnownApproach ? *withKnownApproach : given;
   std::ptrdiff_t known = 0; // suspicions
   for (int round = 0; options.extend && round < most; ++round) {
     if (std::none_of(result.anomalies.begin() + known, result.anomalies.end(), isSpoiled)) {

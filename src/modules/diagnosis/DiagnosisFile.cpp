@@ -120,6 +120,13 @@ Json anomalyJson(const DataAnomaly& anomaly) {
   if (anomaly.odds) {
     entry["odds"] = *anomaly.odds;
   }
+  for (const EventValue& value : anomaly.values) {
+    entry["values"].push_back({{"unknown", value.unknown},
+                               {"value", value.value},
+                               {"sigma", value.sigma > 0 ? Json(value.sigma) : Json(nullptr)},
+                               {"interval", value.sigma > 0 ? Json({value.low, value.high}) : Json(nullptr)},
+                               {"unit", value.unit}});
+  }
   if (anomaly.when) {
     entry["time"] = anomaly.when->time;
     entry["between"] = {anomaly.when->since, anomaly.when->until};
@@ -189,6 +196,7 @@ Json diagnosisJson(const Diagnosis& diagnosis, std::size_t mostPoints) {
   result["drivers"] = listJson<DriverCurve>(diagnosis.driverCurves, driverJson);
   result["map"] = listJson<DriverScore>(diagnosis.driverScores, scoreJson);
   result["suspicious"] = listJson<DataAnomaly>(diagnosis.anomalies, anomalyJson);
+  result["notes"] = diagnosis.notes;
   addFiguresJson(diagnosis, mostPoints, result);
   return result;
 }

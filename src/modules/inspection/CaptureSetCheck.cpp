@@ -310,6 +310,20 @@ void addCounts(Check& check, std::size_t poses) {
   }
 }
 
+/// What a calibration takes for granted: readings that are none, and directions that were not recorded.
+void addAssumptions(Check& check, const Measurements& measurements) {
+  for (const FailedReadings& failed : measurements.failedReadings.front()) {
+    check.add(Severity::doubtful, "no-reading", "captures",
+              describeFailedReadings(failed, measurements.sets->front()) + "; remove them, or measure again");
+  }
+  if (measurements.approachesFromOrder > 0) {
+    check.add(Severity::remark, "approach-from-order", "captures",
+              fmt::format("{} of {} record no direction of approach; it is taken from the order of captures, as if the "
+                          "robot went from each pose straight to the next",
+                          measurements.approachesFromOrder, measurements.pictures.size()));
+  }
+}
+
 /// What a calibration refuses in a set that can be read; corners that are not detected yet are reported elsewhere.
 void addCalibrationRefusal(Check& check, const Robot& robot) {
   CaptureSet ready = check.set();
@@ -318,7 +332,7 @@ void addCalibrationRefusal(Check& check, const Robot& robot) {
     return;
   }
   try {
-    buildMeasurements({std::move(ready)}, robot);
+    addAssumptions(check, buildMeasurements({std::move(ready)}, robot));
   } catch (const InputError& error) {
     check.problems.push_back({Severity::refused, "not-usable", error.what()});
   }

@@ -79,12 +79,20 @@ struct WeakDirection {
   std::string sentence;
 };
 
+/// Displacement of a board in one picture against its place in all others, in the coordinates of its placement.
+struct BoardMove {
+  Eigen::VectorXd values, sigmas; // on the floor x, y [m], yaw [rad]; else x, y, z [m], roll, pitch, yaw [rad]
+
+  double distance() const { return values.head(values.size() == 3 ? 2 : 3).norm(); } // [m]
+};
+
 /// A corner or a whole observation that disagrees with the rest. Outliers are kept and always listed.
 struct Outlier {
   std::size_t picture = 0, observation = 0;
-  std::vector<int> corners; // corner ids; all ids of the observation if `whole`
-  bool whole = false;       // most of the observation disagrees: the board or robot was moved
-  double distance = 0;      // rms residual of the outlying corners [px]
+  std::vector<int> corners;           // corner ids; all ids of the observation if `whole`
+  bool whole = false;                 // most of the observation disagrees: the board or robot was moved
+  double distance = 0;                // rms residual of the outlying corners [px]
+  std::optional<BoardMove> move = {}; // if `whole`, and if that its board was displaced explains the observation
 };
 
 /// A reading other than corners that disagrees with the rest. Kept with little or no weight, and always listed.

@@ -1,5 +1,6 @@
 #include "calibration/result/ResultFile.hpp"
 
+#include "calibration/BoardMoves.hpp"
 #include "calibration/Calibration.hpp"
 #include "calibration/KnownEffects.hpp"
 #include "calibration/ReadingRecords.hpp"
@@ -33,6 +34,17 @@ json pointsJson(const Eigen::Matrix2Xd& points) {
   return list;
 }
 
+/// Distance [m], and each number of the displacement with its sigma.
+json boardMoveJson(const BoardMove& move) {
+  json numbers = json::object();
+  const std::vector<Unknown> unknowns = boardMoveUnknowns(move.values.size() == 3);
+  for (std::size_t i = 0; i < unknowns.size(); ++i) {
+    const auto at = static_cast<Eigen::Index>(i);
+    numbers[unknowns[i].name] = {{"value", move.values[at]}, {"sigma", move.sigmas[at]}, {"unit", unknowns[i].unit}};
+  }
+  return {{"metres", move.distance()}, {"unknowns", std::move(numbers)}};
+}
+
 /// Outliers: set, capture, board, corners and distance [px]; set, capture and what was measured of other readings.
 json outliersJson(const Measurements& measurements, const CalibrationResult& result) {
   json list = json::array();
@@ -45,6 +57,9 @@ json outliersJson(const Measurements& measurements, const CalibrationResult& res
                     {"corners", outlier.corners},
                     {"whole", outlier.whole},
                     {"distancePx", outlier.distance}});
+    if (outlier.move) {
+      list.back()["move"] = boardMoveJson(*outlier.move);
+    }
   }
   for (const DoubtfulReading& reading : result.doubtfulReadings) {
     const ImageObservation& picture = measurements.pictures[reading.picture];

@@ -2,6 +2,7 @@
 
 #include "calibration/Outliers.hpp"
 #include "calibration/Uncertainty.hpp"
+#include "calibration/result/Assumptions.hpp"
 #include "calibration/result/Wording.hpp"
 #include "effects/Catalogue.hpp"
 #include "inference/Thresholds.hpp"
@@ -291,6 +292,12 @@ void judgeResult(const Measurements& measurements, const Model& model, Calibrati
   warnOfHeldOffsets(model, held, result);
   warnOfOutliers(result);
   warnOfSharedCause(result);
+  for (const std::string& sentence : describeDisplacedBoards(measurements, result)) {
+    warn(About::fit, sentence, result);
+  }
+  for (const std::string& sentence : describeAssumptions(measurements, model.terms())) {
+    warn(About::fit, sentence, result);
+  }
 }
 
 std::string toString(ResultVerdict verdict) {

@@ -1,5 +1,6 @@
 #include "diagnosis/anomalies/DataChecks.hpp"
 
+#include "calibration/BoardMoves.hpp"
 #include "diagnosis/anomalies/LikelyEvent.hpp"
 #include "diagnosis/anomalies/SetUps.hpp"
 #include "effects/Catalogue.hpp"
@@ -137,21 +138,40 @@ std::vector<DataAnomaly> findTransientAnomalies(const FittedModel& fitted, const
   if (!likeliest) {
     return {};
   }
-  const auto& [event, odds, why] = *likeliest;
+  const auto& [event, odds, why, values] = *likeliest;
   if (event.captures.empty()) {
-    DataAnomaly anomaly{.capture = {}, .why = why, .odds = odds, .when = event.from.value(), .moved = event.moved};
-    if (!event.moved.empty()) {
-      anomaly.from = firstCaptureAfter(*event.from, fitted.measurements);
-    }
-    return {anomaly};
+    return {DataAnomaly{.capture = {},
+                        .why = why,
+                        .odds = odds,
+                        .when = event.from.value(),
+                        .moved = event.moved,
+                        .from = firstCaptureAfter(*event.from, fitted.measurements),
+                        .values = values}};
   }
   std::vector<DataAnomaly> result;
   for (const int id : event.captures) {
     const std::string said = result.empty() ? why : fmt::format("capture {} was taken with it", id);
-    result.push_back({.capture = id, .why = said, .set = event.set, .odds = odds});
+    result.push_back(
+        {.capture = id, .why = said, .set = event.set, .odds = odds, .moved = event.moved, .values = values});
   }
   return result;
 }
+
+namespace {
+
+/// With normal 95 % intervals.
+std::vector<EventValue> listValues(const BoardMove& move) {
+  constexpr double half = 1.96;
+  std::vector<EventValue> values;
+  for (const Unknown& unknown : boardMoveUnknowns(move.values.size() == 3)) {
+    const auto i = static_cast<Eigen::Index>(values.size());
+    const double value = move.values[i], sigma = move.sigmas[i];
+    values.push_back({unknown.name, unknown.unit, value, sigma, value - half * sigma, value + half * sigma});
+  }
+  return values;
+}
+
+} // namespace
 
 std::vector<DataAnomaly> findDisplacedBoards(const Measurements& measurements, const CalibrationResult& fit) {
   std::vector<DataAnomaly> result;
@@ -160,12 +180,16 @@ std::vector<DataAnomaly> findDisplacedBoards(const Measurements& measurements, c
       const ImageObservation& picture = measurements.pictures[outlier.picture];
       const int id = measurements.captureOf(picture).id;
       const std::string& board = measurements.targets[picture.observations[outlier.observation].view.board()].name;
-      result.push_back(
-          {.capture = id,
-           .why = fmt::format("board {} in capture {} lies {:.0f} px from where all other captures put it: "
-                              "it or the robot was moved for a moment, or the picture is another one",
-                              board, id, outlier.distance),
-           .set = picture.set});
+      DataAnomaly anomaly{.capture = id, .why = {}, .set = picture.set, .moved = board};
+      if (outlier.move) {
+        anomaly.why = describeDisplacedBoard(measurements, outlier);
+        anomaly.values = listValues(*outlier.move);
+      } else {
+        anomaly.why = fmt::format("board {} in capture {} lies {:.0f} px from where all other captures put it: "
+                                  "it or the robot was moved for a moment, or the picture is another one",
+                                  board, id, outlier.distance);
+      }
+      result.push_back(std::move(anomaly));
     }
   }
   return result;

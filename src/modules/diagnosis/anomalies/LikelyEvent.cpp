@@ -279,6 +279,53 @@ bool explainsMisfit(const Tried& tried, const FittedModel& fitted) {
   return isGiven && freedom > 0 && left <= threshold::mostMisfit(freedom) * freedom;
 }
 
+/// The event with its estimates, at the moment that fits best at the noise that it leaves.
+struct Estimated {
+  TransientEvent event;
+  std::vector<EventValue> values;
+};
+
+/// Values without sigmas, of a search that failed.
+std::vector<EventValue> valuesOf(const Tried& tried) {
+  std::vector<EventValue> values;
+  for (std::size_t i = 0; i < tried.event.term.effect.unknowns.size(); ++i) {
+    const Unknown& unknown = tried.event.term.effect.unknowns[i];
+    values.push_back({unknown.name, unknown.unit, tried.values[static_cast<Eigen::Index>(i)]});
+  }
+  return values;
+}
+
+/// Estimates the likeliest event with the noise levels estimated beside it; tries its moments again at these.
+Estimated estimateLikeliest(const std::vector<Tried>& tried, const FittedModel& fitted) {
+  const Tried& best = tried.front();
+  const auto estimate = estimateEvent(best.event, fitted, best.values);
+  if (!estimate) {
+    return {best.event, valuesOf(best)};
+  }
+  std::vector<TransientEvent> moments;
+  for (const Tried& other : tried) {
+    if (isSameThing(other.event, best.event)) {
+      moments.push_back(other.event);
+    }
+  }
+  if (moments.size() == 1) {
+    return {best.event, estimate->values};
+  }
+  CalibrationResult sharper = fitted.fit;
+  sharper.noise = estimate->noise;
+  const std::vector<std::optional<EventFit>> fits = fitEvents(moments, {fitted.measurements, fitted.model, sharper});
+  const auto fallOf = [&](std::size_t i) { return fits[i] ? fits[i]->fall : 0; };
+  std::size_t likeliest = 0;
+  for (std::size_t i = 1; i < moments.size(); ++i) {
+    likeliest = fallOf(i) > fallOf(likeliest) ? i : likeliest;
+  }
+  if (likeliest == 0 || !fits[likeliest]) {
+    return {best.event, estimate->values};
+  }
+  const auto again = estimateEvent(moments[likeliest], fitted, fits[likeliest]->values);
+  return again ? Estimated{moments[likeliest], again->values} : Estimated{best.event, estimate->values};
+}
+
 std::optional<LikelyEvent> findLikeliestAt(const FittedModel& fitted, const CandidateTests& candidateTests) {
   std::vector<TransientEvent> events = enumerateEvents(fitted.measurements, fitted.fit);
   const std::vector<TransientEvent> angles = enumerateWrongAngles(fitted);
@@ -307,10 +354,15 @@ std::optional<LikelyEvent> findLikeliestAt(const FittedModel& fitted, const Cand
       best.bayes < noticed * static_cast<double>(posesAfter(best.event, fitted.measurements))) {
     return std::nullopt; // rather a sum of small effects that varies with time
   }
-  const TransientEvent event = best.event.from ? widenEvent(best.event, fine) : best.event;
   constexpr double mostOdds = 1e12;
-  return LikelyEvent{event, std::min(mostOdds, std::exp((best.bayes - rivals.best()) / 2)),
-                     describeEvent(event, best.values) + formatAlternatives(tried)};
+  LikelyEvent result{best.event, std::min(mostOdds, std::exp((best.bayes - rivals.best()) / 2)), {}};
+  if (best.event.from || !best.event.moved.empty()) {
+    Estimated estimated = estimateLikeliest(tried, fitted);
+    result.event = best.event.from ? widenEvent(std::move(estimated.event), fine) : std::move(estimated.event);
+    result.values = std::move(estimated.values);
+  }
+  result.sentence = describeEvent(result.event, result.values) + formatAlternatives(tried);
+  return result;
 }
 
 } // namespace

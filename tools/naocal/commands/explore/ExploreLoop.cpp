@@ -169,6 +169,9 @@ void ExploreLoop::printCandidates(std::size_t rows) const {
   for (const DataAnomaly& anomaly : latest_.anomalies) {
     printText("suspected: {}{}\n", anomaly.why, anomaly.setUp.empty() ? "" : "  (mend it: add " + anomaly.setUp + ")");
   }
+  for (const std::string& note : latest_.notes) {
+    printText("note: {}\n", note);
+  }
   naocal::printCandidates(latest_, rows, true);
 }
 
