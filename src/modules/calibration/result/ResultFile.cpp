@@ -55,6 +55,13 @@ json outliersJson(const Measurements& measurements, const CalibrationResult& res
   return list;
 }
 
+/// Measurements that the fit's loss rejects, displaced boards aside.
+json rejectedJson(const RejectedMeasurements& rejected) {
+  return {{"corners", rejected.corners},
+          {"readings", rejected.readings},
+          {"of", {{"corners", rejected.ofCorners}, {"readings", rejected.ofReadings}}}};
+}
+
 /// Every corner: measured; predicted at the joint angles as read; fitted, with the joints' deflections; and its weight.
 json residualsJson(const Measurements& measurements, const CalibrationResult& result) {
   json list = json::array();
@@ -254,6 +261,8 @@ StoredResult parseResult(const json& all, const std::string& name) {
     result.usable = all.at("usable").get<bool>();
     result.robot = all.contains("model") ? all["model"].value("robot", result.robot) : result.robot;
     result.sentence = all.value("sentence", "");
+    result.reasons = all.value("reasons", std::vector<std::string>{});
+    result.hasReasons = all.contains("reasons");
     if (all.contains("inputs")) {
       result.inputs = {all["inputs"].value("sets", std::vector<std::string>{}),
                        all["inputs"].value("sha256", std::vector<std::string>{}),
@@ -336,6 +345,8 @@ json resultJson(const FittedModel& fitted, const ResultSources& inputs) {
                     {"define", definitions(fitted.model)}}},
                   {"cameras", camerasJson(*fitted.measurements.sets)},
                   {"sightings", residualsJson(fitted.measurements, fitted.fit)}});
+  result["reasons"] = fitted.fit.reasons;
+  result["rejected"] = rejectedJson(fitted.fit.rejected);
   if (fitted.measurements.hasUnknownSteps()) {
     result["noise"]["unknownSteps"] = true;
   }

@@ -1,0 +1,20 @@
+#include "measurements/JointMotion.hpp"
+
+#include "math/LinearAlgebra.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace naocal {
+
+double motionOf(std::size_t joint, const Measurements& measurements) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const ImageObservation& picture : measurements.pictures) {
+    const double angle = picture.instant.q[eigenIndex(joint)];
+    low = std::min(low, angle);
+    high = std::max(high, angle);
+  }
+  return measurements.pictures.empty() ? 0 : high - low;
+}
+
+} // namespace naocal
