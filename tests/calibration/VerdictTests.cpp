@@ -165,6 +165,19 @@ TEST_CASE("few gross corners leave a result usable and are counted", "[slow]") {
   CHECK(some.verdict != ResultVerdict::good);
 }
 
+TEST_CASE("an offset of a joint that never moved is not held by what imitates it") {
+  // Proves that such joints are refused by name, though the places of the markers on the hand imitate their offsets.
+  // With all joints in motion the same arm is usable, and offsets that placements imitate are held.
+  const CalibrationResult still = solveArm({.frames = false, .contacts = false, .motion = {1, 0, 0, 0}}, [](json&) {});
+  CAPTURE(still.sentence);
+  CHECK(still.verdict == ResultVerdict::doNotUse);
+  CHECK(says(still.reasons, "3 joints never moved: the lift, the slide and the roll;"));
+  const CalibrationResult moving = solveArm({.frames = false, .contacts = false}, [](json&) {});
+  CAPTURE(moving.sentence);
+  CHECK(moving.usable);
+  CHECK(says({moving.warnings.front().sentence}, "is held at zero"));
+}
+
 TEST_CASE("values that no robot has are told from those that some have") {
   // Proves the limits of offsets, slides and mounts, and that a set which says that its camera's mount is unknown may
   // have any turn within that.

@@ -17,4 +17,8 @@ double motionOf(std::size_t joint, const Measurements& measurements) {
   return measurements.pictures.empty() ? 0 : high - low;
 }
 
+bool isStill(std::size_t joint, const Measurements& measurements) {
+  return motionOf(joint, measurements) < (measurements.robot.joints[joint].isPrismatic ? stillMetres : stillRadians);
+}
+
 } // namespace naocal

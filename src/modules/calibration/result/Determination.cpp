@@ -85,6 +85,26 @@ bool isLearnedGiven(const FittedModel& fitted, const Term& term, std::size_t i, 
   return sigmaGiven(fitted, term.first + i, isKnown) < (1 - threshold::learned) * term.effect.unknowns[i].sigma;
 }
 
+/// Joints that stand still, if their offsets were asked for and one of them is not learned.
+void addStillJoints(const FittedModel& fitted, std::vector<std::string>& sentences) {
+  std::vector<std::string> names;
+  bool isUnknown = false;
+  for (const Term& term : fitted.model.terms()) {
+    if (isOffset(term) && isAsked(term) && isStill(term.placeIndex, fitted.measurements)) {
+      names.push_back(describeUnknown(term, 0));
+      isUnknown |= !isLearned(fitted, term.first);
+    }
+  }
+  if (isUnknown) {
+    const bool single = names.size() == 1;
+    sentences.push_back(
+        fmt::format("{} joint{} never moved: {}; without motion no offset can be learned: add poses that "
+                    "move {}, or leave {} out",
+                    names.size(), single ? "" : "s", joinWords(names), single ? "it" : "them",
+                    single ? "its offset" : "their offsets"));
+  }
+}
+
 void addOffset(const FittedModel& fitted, const Term& term, std::vector<std::string>& sentences) {
   constexpr double far = 0.3; // [rad, m]: a joint that moves so far would show, if what is measured moved with it
   const Estimate& estimate = fitted.fit.estimates[term.first];
@@ -123,7 +143,7 @@ HeldOffsets findHeldOffsets(const FittedModel& fitted) {
   HeldOffsets held;
   for (const Term& term : fitted.model.terms()) {
     if (!fitted.measurements.quantities.scene().hasLinkSteps || !isOffset(term) || isLearned(fitted, term.first) ||
-        !isLearnedGiven(fitted, term, 0, canImitate)) {
+        isStill(term.placeIndex, fitted.measurements) || !isLearnedGiven(fitted, term, 0, canImitate)) {
       continue;
     }
     if (const Term* const imitator = findImitator(fitted.model, fitted.fit, term)) {
@@ -135,13 +155,15 @@ HeldOffsets findHeldOffsets(const FittedModel& fitted) {
 
 std::vector<std::string> listUndetermined(const FittedModel& fitted, const HeldOffsets& held) {
   std::vector<std::string> sentences;
+  addStillJoints(fitted, sentences);
   for (const Term& term : fitted.model.terms()) {
     if (!isAsked(term)) {
       continue;
     }
     if (!isOffset(term)) {
       addEffect(fitted, term, sentences);
-    } else if (!isLearned(fitted, term.first) && !held.contains(term.first)) {
+    } else if (!isLearned(fitted, term.first) && !held.contains(term.first) &&
+               !isStill(term.placeIndex, fitted.measurements)) {
       addOffset(fitted, term, sentences);
     }
   }

@@ -19,7 +19,7 @@ HeldOffsets findHeldOffsets(const FittedModel& fitted);
 
 /// Unknowns that were asked for and that the captures do not determine (`threshold::learned`), one sentence per term
 /// with advice:
-///   - offsets, unless they are held;
+///   - offsets, unless they are held; joints that stand still in one sentence;
 ///   - rotations and translations of cameras and other effects, unless they are known together with other effects, for
 ///     which they can only be traded. Of an effect with several unknowns one suffices, as the others stay within what
 ///     is plausible; not of a camera's mount on a robot without URDF, whose unknown placements never imitate a mount.
