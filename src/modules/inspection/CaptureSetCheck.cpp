@@ -6,12 +6,14 @@
 #include "io/GreyImage.hpp"
 #include "io/InputError.hpp"
 #include "math/Angles.hpp"
+#include "measurements/JointMotion.hpp"
 #include "measurements/Measurements.hpp"
 #include "robot/RobotOfSet.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -324,6 +326,25 @@ void addAssumptions(Check& check, const Measurements& measurements) {
   }
 }
 
+/// Joints between what measures and what is measured that keep their angle in all captures.
+void addStillJoints(Check& check, const Measurements& measurements) {
+  std::vector<std::string> names;
+  for (const std::size_t joint : measurements.joints) {
+    if (isStill(joint, measurements)) {
+      names.push_back(measurements.robot.joints[joint].name);
+    }
+  }
+  if (!names.empty() && measurements.poses.size() > 1) {
+    const bool single = names.size() == 1;
+    check.add(
+        Severity::doubtful, "still-joints", "captures[*].joints.measured",
+        fmt::format("{} joint{} never moved: {}; without motion no offset can be learned: add poses that move {}, "
+                    "or leave {} out",
+                    names.size(), single ? "" : "s", fmt::join(names, ", "), single ? "it" : "them",
+                    single ? "its offset" : "their offsets"));
+  }
+}
+
 /// What a calibration refuses in a set that can be read; corners that are not detected yet are reported elsewhere.
 void addCalibrationRefusal(Check& check, const Robot& robot) {
   CaptureSet ready = check.set();
@@ -332,7 +353,9 @@ void addCalibrationRefusal(Check& check, const Robot& robot) {
     return;
   }
   try {
-    addAssumptions(check, buildMeasurements({std::move(ready)}, robot));
+    const Measurements measurements = buildMeasurements({std::move(ready)}, robot);
+    addAssumptions(check, measurements);
+    addStillJoints(check, measurements);
   } catch (const InputError& error) {
     check.problems.push_back({Severity::refused, "not-usable", error.what()});
   }

@@ -7,6 +7,7 @@
 #include "math/LevenbergMarquardt.hpp"
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <functional>
@@ -107,6 +108,20 @@ struct SharedCause {
   double p = 1;       // probability that accidents share anything as strongly
 };
 
+/// Measurements that the fit's loss rejects (`outlierWeight`), and the errors that the others leave.
+struct RejectedMeasurements {
+  std::size_t corners = 0, ofCorners = 0;   // on boards that lie where the others put them; of all corners
+  std::size_t readings = 0, ofReadings = 0; // other than corners
+  double presentPx = 0;                     // rms distance without displaced boards; as `CalibrationResult::rmsPx`
+  double keptPx = 0;                        // the same without the rejected measurements
+  ReadingErrors keptReadings;               // of the other readings
+
+  /// Share of all measurements.
+  double share() const {
+    return static_cast<double>(corners + readings) / std::max(1.0, static_cast<double>(ofCorners + ofReadings));
+  }
+};
+
 /// A reason for caution, with advice.
 struct Warning {
   enum class About { fit, offset, floor };
@@ -124,8 +139,9 @@ enum class ResultVerdict {
 struct CalibrationResult {
   bool converged = false;
   ResultVerdict verdict = ResultVerdict::good;
-  bool usable = false;  // verdict is not `doNotUse`
-  std::string sentence; // the verdict as a sentence, identical on all surfaces
+  bool usable = false;              // verdict is not `doNotUse`
+  std::string sentence;             // the verdict as a sentence, identical on all surfaces
+  std::vector<std::string> reasons; // why it must not be used, most serious first; empty if usable
   std::vector<Warning> warnings;
   Eigen::VectorXd unknowns;
   std::vector<Estimate> estimates; // one per unknown
@@ -152,6 +168,7 @@ struct CalibrationResult {
   std::vector<Outlier> outliers;
   std::vector<DoubtfulReading> doubtfulReadings;
   std::vector<SharedCause> sharedCauses; // of measurements that lie far from the likeliest explanation
+  RejectedMeasurements rejected;
   double floorErrorAt2m = 0; // 1-sigma error of a floor point 2 m ahead [m], times `sigmaScale`; 0 without floor boards
   int iterations = 0;
   int restartsTried = 0;

@@ -70,19 +70,15 @@ json outliersJson(const Measurements& measurements, const CalibrationResult& res
   return list;
 }
 
-/// What lost its weight: counts, of how many, and what it shares.
-json rejectedJson(const Measurements& measurements, const CalibrationResult& result) {
-  std::size_t corners = 0;
-  for (const Outlier& outlier : result.outliers) {
-    corners += outlier.corners.size();
-  }
+/// What lost its weight, displaced boards aside: counts, of how many, and what it shares.
+json rejectedJson(const CalibrationResult& result) {
   json share = json::array();
   for (const SharedCause& cause : result.sharedCauses) {
     share.push_back({{"driver", cause.driver}, {"p", cause.p}});
   }
-  return {{"corners", corners},
-          {"readings", result.doubtfulReadings.size()},
-          {"of", {{"corners", measurements.cornerCount}, {"readings", measurements.witnessCount}}},
+  return {{"corners", result.rejected.corners},
+          {"readings", result.rejected.readings},
+          {"of", {{"corners", result.rejected.ofCorners}, {"readings", result.rejected.ofReadings}}},
           {"share", std::move(share)}};
 }
 
@@ -285,6 +281,8 @@ StoredResult parseResult(const json& all, const std::string& name) {
     result.usable = all.at("usable").get<bool>();
     result.robot = all.contains("model") ? all["model"].value("robot", result.robot) : result.robot;
     result.sentence = all.value("sentence", "");
+    result.reasons = all.value("reasons", std::vector<std::string>{});
+    result.hasReasons = all.contains("reasons");
     if (all.contains("inputs")) {
       result.inputs = {all["inputs"].value("sets", std::vector<std::string>{}),
                        all["inputs"].value("sha256", std::vector<std::string>{}),
@@ -356,7 +354,6 @@ json resultJson(const FittedModel& fitted, const ResultSources& inputs) {
                   {"placementSigmas", placementSigmasJson(fitted.model, fitted.fit)},
                   {"weak", weakJson(fitted.fit)},
                   {"doubtful", outliersJson(fitted.measurements, fitted.fit)},
-                  {"rejected", rejectedJson(fitted.measurements, fitted.fit)},
                   {"floorErrorAt2m", fitted.fit.floorErrorAt2m},
                   {"iterations", fitted.fit.iterations},
                   {"restarts", {{"tried", fitted.fit.restartsTried}, {"changedTheAnswer", fitted.fit.restartsChanged}}},
@@ -368,6 +365,8 @@ json resultJson(const FittedModel& fitted, const ResultSources& inputs) {
                     {"define", definitions(fitted.model)}}},
                   {"cameras", camerasJson(*fitted.measurements.sets)},
                   {"sightings", residualsJson(fitted.measurements, fitted.fit)}});
+  result["reasons"] = fitted.fit.reasons;
+  result["rejected"] = rejectedJson(fitted.fit);
   if (fitted.measurements.hasUnknownSteps()) {
     result["noise"]["unknownSteps"] = true;
   }

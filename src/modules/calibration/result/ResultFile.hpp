@@ -40,6 +40,8 @@ struct StoredResult {
   bool usable = false;
   std::string robot = "V6";              // its model
   std::string sentence;                  // the verdict; empty: not in the file
+  std::vector<std::string> reasons;      // why it must not be used; empty if usable, or of an older version:
+  bool hasReasons = false;               // whether the file has any such list
   std::map<std::string, double> learned; // 1 - posterior sigma / prior sigma, by the same names as `values`
   ResultSources inputs;                  // the sets that it was made from
 };

@@ -113,6 +113,18 @@ std::string formatJointNoise(const Noise& noise, bool hasUnknownSteps) {
                      noise.stance > 0 ? fmt::format(" and {:.4f}° from stance to stance", degrees(noise.stance)) : "");
 }
 
+std::string formatRejected(const RejectedMeasurements& rejected) {
+  std::vector<std::string> kinds;
+  if (rejected.corners > 0) {
+    kinds.push_back(fmt::format("{} of {} corners", rejected.corners, rejected.ofCorners));
+  }
+  if (rejected.readings > 0) {
+    kinds.push_back(fmt::format("{} of {} readings", rejected.readings, rejected.ofReadings));
+  }
+  const bool single = rejected.corners + rejected.readings == 1;
+  return fmt::format("{} {} not fit the rest", joinWords(kinds), single ? "does" : "do");
+}
+
 std::string joinWords(const std::vector<std::string>& words) {
   if (words.size() < 2) {
     return words.empty() ? "" : words.front();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "calibration/result/CalibrationResult.hpp"
 #include "estimation/Model.hpp"
 #include "measurements/Noise.hpp"
 
@@ -17,6 +18,9 @@ std::string describeImitator(const Term& term);
 /// Noise of encoders and joints, 1 sigma: "encoders 0.0250°, joint scatter 0.0123° from pose to pose and 0.0100° from
 /// stance to stance". `hasUnknownSteps`: an encoder's noise is part of the scatter (`Measurements::hasUnknownSteps`).
 std::string formatJointNoise(const Noise& noise, bool hasUnknownSteps);
+
+/// For example "12 of 7654 corners do not fit the rest".
+std::string formatRejected(const RejectedMeasurements& rejected);
 
 /// "a", "a and b", "a, b and c".
 std::string joinWords(const std::vector<std::string>& words);
