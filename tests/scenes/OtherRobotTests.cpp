@@ -1,11 +1,11 @@
 #include "calibration/Calibration.hpp"
 #include "diagnosis/Diagnosis.hpp"
-#include "diagnosis/anomalies/SetUps.hpp"
 #include "estimation/ModelBuilder.hpp"
 #include "io/Files.hpp"
 #include "math/Angles.hpp"
 #include "robot/RobotOfSet.hpp"
 #include "scenes/SceneSimulation.hpp"
+#include "setups/Mending.hpp"
 
 #include "TemporaryFolder.hpp"
 
@@ -118,7 +118,8 @@ TEST_CASE("a K1 whose knee turns the other way is told so", "[slow]") {
 
   std::vector<std::string> with{"reversedJoint@Left_Knee_Pitch"};
   std::vector<CaptureSet> mended{set};
-  mendSetUps(with, loadRobot(set), mended);
+  Robot robot = loadRobot(set);
+  mendSetUps(with, robot, mended);
   const auto knee = static_cast<std::size_t>(
       std::find(set.jointNames.begin(), set.jointNames.end(), "Left_Knee_Pitch") - set.jointNames.begin());
   for (std::size_t i = 0; i < set.captures.size(); ++i) {

@@ -8,7 +8,6 @@
 #include "diagnosis/OwnEffect.hpp"
 #include "diagnosis/StepwiseSelection.hpp"
 #include "diagnosis/anomalies/DataChecks.hpp"
-#include "diagnosis/anomalies/SetUps.hpp"
 #include "diagnosis/views/DriverCurves.hpp"
 #include "estimation/CandidateTerms.hpp"
 #include "estimation/ModelBuilder.hpp"
@@ -78,6 +77,10 @@ bool leavesMisfit(const CalibrationResult& fit) {
   return fit.misfit > threshold::mostMisfit(fit.misfitFreedom) && fit.rmsPx > fit.noiseFloorPx;
 }
 
+bool isSetUpWrong(const std::vector<DataAnomaly>& anomalies) {
+  return std::any_of(anomalies.begin(), anomalies.end(), [](const DataAnomaly& one) { return !one.setUp.empty(); });
+}
+
 /// What remained of the misfit: a named effect explains it, or only an unnamed curve does.
 struct Remainder {
   bool missing = false, unknown = false;
@@ -118,11 +121,13 @@ void appendNewAnomalies(const std::vector<DataAnomaly>& further, std::vector<Dat
 }
 
 /// Diagnosis of captures without a feasible fit.
-Diagnosis diagnoseUnfittable(const Measurements& measurements, const InputError& error) {
+Diagnosis diagnoseUnfittable(const Measurements& measurements, const Model& asked, const InputError& error) {
   Diagnosis result;
   result.verdict = Verdict::badCaptures;
-  const auto setUp = findSetupError(measurements, {}, [](std::size_t) { return true; });
-  result.anomalies.push_back(setUp.value_or(DataAnomaly{{}, error.what()}));
+  result.anomalies = findGrossAnomalies(measurements, asked);
+  if (result.anomalies.empty()) {
+    result.anomalies.push_back(DataAnomaly{{}, error.what()});
+  }
   result.sentence = summarize(result);
   return result;
 }
@@ -231,7 +236,8 @@ private:
     result_.unexplained = last_.alarm && !last_.next && !last_.unknown() && !missing;
     result_.scatter = selection_.fit().noise.pose;
     result_.unit = errorUnitOf(measurements_, selection_.fit().noise);
-    const std::vector<DataAnomaly> slipped = findSlippedCounts({measurements_, asked_, result_.fit});
+    const std::vector<DataAnomaly> slipped =
+        isSetUpWrong(result_.anomalies) ? std::vector<DataAnomaly>{} : findSlips({measurements_, asked_, result_.fit});
     result_.anomalies.insert(result_.anomalies.begin(), slipped.begin(), slipped.end());
     result_.verdict = verdictOf(result_, selection_.fit(), {missing, last_.unknown()}, measurements_);
     result_.with = selection_.added();
@@ -428,7 +434,7 @@ Diagnosis diagnose(const Measurements& measurements, const DiagnosisOptions& opt
     if (measurements.cornerCount == 0) {
       throw;
     }
-    result = diagnoseUnfittable(measurements, error);
+    result = diagnoseUnfittable(measurements, asked, error);
   }
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return result;

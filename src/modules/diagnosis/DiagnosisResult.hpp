@@ -65,7 +65,8 @@ struct DataAnomaly {
   std::size_t set = 0;                 // set of the capture
   std::optional<double> odds = {};     // odds (x to 1) against the best effect or curve, where compared
   std::optional<Moment> when = {};     // moment of an event between two captures
-  std::string setUp = {};              // a wrong set-up that can be mended: "reversedJoint@LElbowRoll"
+  std::string setUp = {};              // a wrong set-up, which can be mended: "reversedJoint@LElbowRoll"
+  std::string question = {};           // about the set-up, to ask a person
   std::string moved = {};              // id of the board, tracker, camera or stance that moved; with `capture`, of the
                                        // board that was displaced in it
   std::optional<int> from = {};        // id of the first capture after that

@@ -117,6 +117,17 @@ std::string formatUnknown(const Diagnosis& diagnosis) {
                      own.empty() ? "" : " " + own);
 }
 
+/// What is wrong with the set-up; else the first accident, and how many more.
+std::string formatAnomalies(const std::vector<DataAnomaly>& anomalies) {
+  std::string setUps;
+  for (const DataAnomaly& anomaly : anomalies) {
+    setUps += anomaly.setUp.empty() ? "" : (setUps.empty() ? "" : "; and ") + anomaly.why;
+  }
+  return !setUps.empty()        ? setUps
+         : anomalies.size() > 1 ? fmt::format("{}; and {} more", anomalies.front().why, anomalies.size() - 1)
+                                : anomalies.front().why;
+}
+
 } // namespace
 
 std::string toString(Verdict verdict) {
@@ -184,14 +195,22 @@ CandidateState shownState(const CandidateFinding& finding, const Diagnosis& diag
   return areSeveral && isPresent(finding) ? CandidateState::aliased : finding.state;
 }
 
+std::vector<std::string> mendableSetUps(const Diagnosis& diagnosis) {
+  std::vector<std::string> labels;
+  for (const DataAnomaly& anomaly : diagnosis.anomalies) {
+    if (!anomaly.setUp.empty()) {
+      labels.push_back(anomaly.setUp);
+    }
+  }
+  return labels;
+}
+
 std::string summarizeUnfitted(const Diagnosis& diagnosis) {
-  const auto mendable = std::find_if(diagnosis.anomalies.begin(), diagnosis.anomalies.end(),
-                                     [](const DataAnomaly& anomaly) { return !anomaly.setUp.empty(); });
-  return mendable == diagnosis.anomalies.end()
-             ? diagnosis.sentence
-             : fmt::format("{} These captures cannot be fitted as they are: mend them with 'naocal solve SET --with {} "
-                           "-o result.json'.",
-                           diagnosis.sentence, mendable->setUp);
+  const std::vector<std::string> setUps = mendableSetUps(diagnosis);
+  return setUps.empty() ? diagnosis.sentence
+                        : fmt::format("{} These captures cannot be fitted as they are: mend them with 'naocal solve "
+                                      "SET --with {} -o result.json'.",
+                                      diagnosis.sentence, fmt::join(setUps, ","));
 }
 
 std::string formatAmplitude(const DriverCurve& curve) {
@@ -237,8 +256,7 @@ std::string summarize(const Diagnosis& diagnosis) {
   switch (diagnosis.verdict) {
   case Verdict::badCaptures:
     return fmt::format(
-        "Something is wrong with the captures or the set-up: {}{}.{}", diagnosis.anomalies.front().why,
-        diagnosis.anomalies.size() > 1 ? fmt::format("; and {} more", diagnosis.anomalies.size() - 1) : "",
+        "Something is wrong with the captures or the set-up: {}.{}", formatAnomalies(diagnosis.anomalies),
         diagnosis.suggested.empty() ? "" : fmt::format(" Also missing: {}.", fmt::join(diagnosis.suggested, ", ")));
   case Verdict::unknownEffect:
     return "An " + formatUnknown(diagnosis);

@@ -129,6 +129,14 @@ struct Warning {
   std::string sentence;
 };
 
+/// A mistake in how the captures were set up (setups/Catalogue.hpp).
+struct WrongSetUp {
+  std::string label;    // "reversedJoint@elbow"
+  std::string why;      // a clause: "elbow's angles have the wrong sign (so corrected the error is 0.4 px)"
+  std::string question; // to ask a person
+  double odds = 0;      // x to 1 against the best other explanation
+};
+
 /// Overall quality of a result.
 enum class ResultVerdict {
   good,         // the model explains the captures
@@ -164,6 +172,7 @@ struct CalibrationResult {
   double misfitLeft = 1;                 // the same for the likeliest explanation
   double scatter = 0;                    // decrease of -2 ln likelihood from zero to the estimated pose noise
   std::vector<Explanation> explanations; // by decreasing weight; weights above 0.01
+  std::vector<WrongSetUp> setUps;        // that explain the misfit; those were not mended
   std::vector<WeakDirection> weak;
   std::vector<Outlier> outliers;
   std::vector<DoubtfulReading> doubtfulReadings;

@@ -245,6 +245,17 @@ json definitions(const Model& model) {
 
 } // namespace
 
+json setUpsJson(const std::vector<WrongSetUp>& setUps) {
+  json list = json::array();
+  for (const WrongSetUp& setUp : setUps) {
+    list.push_back({{"setUp", setUp.label},
+                    {"why", setUp.why},
+                    {"question", setUp.question},
+                    {"odds", setUp.odds > 0 ? json(setUp.odds) : json(nullptr)}});
+  }
+  return list;
+}
+
 void ResultSources::add(const std::filesystem::path& folder) {
   sets.push_back(std::filesystem::weakly_canonical(folder).string());
   sha256.push_back(naocal::sha256(readFile(folder / "captures.json")));
@@ -327,6 +338,7 @@ json resultJson(const FittedModel& fitted, const ResultSources& inputs) {
                   {"verdict", toString(fitted.fit.verdict)},
                   {"usable", fitted.fit.usable},
                   {"sentence", fitted.fit.sentence},
+                  {"setUps", setUpsJson(fitted.fit.setUps)},
                   {"warnings", toSentences(fitted.fit.warnings)},
                   {"rmsPx", hasCorners ? fitted.fit.rmsPx : 0},
                   {"medianPx", hasCorners ? fitted.fit.medianPx : 0},

@@ -27,6 +27,9 @@ struct ResultSources {
 /// {"sets": [folders], "sha256": [..], "names": [..], "setUps": [..]}, the last where there are some
 nlohmann::json toJson(const ResultSources& sources);
 
+/// [{"setUp": "reversedJoint@elbow", "why": "...", "question": "...", "odds": x}], as results and diagnoses list them
+nlohmann::json setUpsJson(const std::vector<WrongSetUp>& setUps);
+
 /// RESULT.json: estimates with uncertainty, assumptions, and the prediction of every corner for reports.
 nlohmann::json resultJson(const FittedModel& fitted, const ResultSources& inputs);
 
