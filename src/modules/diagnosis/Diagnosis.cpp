@@ -41,9 +41,9 @@ bool isUnknown(const CandidateTests& candidateTests, std::optional<std::size_t> 
   return curve > 0 && curve - named > std::max(threshold::unnamed, named * named / threshold::unnamedGrowth);
 }
 
-/// Whether a named effect elsewhere has so much evidence (more than twice the field's) that the field may be its
-/// consequence, or moves corners so far that it is no consequence of the field. The field then waits until the effect
-/// is added.
+/// Whether a named effect has so much evidence (more than twice the field's) that the field may be its consequence, or
+/// one elsewhere moves corners so far that it is no consequence of the field. The field then waits until the effect is
+/// added: a lens that lacks several effects leaves a field that no single one of them explains.
 bool explains(const CandidateTests& candidateTests, std::optional<std::size_t> candidate, const ImageField& field) {
   if (!candidate) {
     return false;
@@ -52,8 +52,8 @@ bool explains(const CandidateTests& candidateTests, std::optional<std::size_t> c
   const PlaceKind of = field.of == ImageField::Of::camera ? PlaceKind::camera : PlaceKind::board;
   const bool samePlace = term.effect.placeKind == of && term.placeIndex == field.at;
   const GroupEvidence& evidence = candidateTests.candidateEvidence(*candidate);
-  return !samePlace &&
-         (evidence.bayes > 2 * field.fit.bayes || evidence.movedPx > threshold::fieldBias * field.fit.rmsPx);
+  return evidence.bayes > 2 * field.fit.bayes ||
+         (!samePlace && evidence.movedPx > threshold::fieldBias * field.fit.rmsPx);
 }
 
 /// The field, unless it is the weak remainder of a field already explained. `most`: largest evidence of all fields so
