@@ -107,6 +107,12 @@ struct RejectedMeasurements {
   }
 };
 
+/// An effect or curve beyond chance that hardly changes what is predicted.
+struct NegligibleEffect {
+  std::string label, sizes; // "rollingShutter@top", "t = 0.3 ± 0.1 ms"; no sizes of a curve
+  double movedPx = 0;       // rms displacement of predicted corners [px]
+};
+
 /// A reason for caution, with advice.
 struct Warning {
   enum class About { fit, offset, floor };
@@ -149,6 +155,9 @@ struct CalibrationResult {
   double misfitLeft = 1;                 // the same for the likeliest explanation
   double scatter = 0;                    // decrease of -2 ln likelihood from zero to the estimated pose noise
   std::vector<Explanation> explanations; // by decreasing weight; weights above 0.01
+
+  /// What is beyond chance, if it does not matter.
+  std::optional<NegligibleEffect> negligible;
   std::vector<WeakDirection> weak;
   std::vector<Outlier> outliers;
   std::vector<DoubtfulReading> doubtfulReadings;
