@@ -2,11 +2,13 @@
 
 #include "calibration/ReadingNoise.hpp"
 #include "calibration/Uncertainty.hpp"
+#include "calibration/result/Wording.hpp"
 #include "estimation/CandidateTerms.hpp"
 #include "estimation/Model.hpp"
 #include "estimation/ModelBuilder.hpp"
 #include "inference/DriverBasis.hpp"
 #include "inference/Evidence.hpp"
+#include "inference/Thresholds.hpp"
 #include "io/InputError.hpp"
 #include "math/LinearAlgebra.hpp"
 
@@ -145,6 +147,20 @@ std::string formatGroup(const WideModel& wide, std::size_t group) {
   return wide.jointName(cell.motor) + " over " + expressionName(wide.map().drivers[cell.driver], cell.motor);
 }
 
+/// The likeliest effect or curve, if it is beyond chance and does not matter.
+std::optional<NegligibleEffect> describeNegligible(const WideModel& wide, const Evidence& evidence) {
+  if (evidence.pValue > threshold::alarm || evidence.matters || !evidence.likeliest) {
+    return std::nullopt;
+  }
+  const std::size_t group = *evidence.likeliest;
+  const GroupEvidence& found = evidence.groups[group];
+  const bool isNamed = group < wide.candidates().size();
+  return NegligibleEffect{formatGroup(wide, group),
+                          isNamed ? formatSizes(wide.candidates()[group].effect, found.estimate, found.covariance)
+                                  : std::string{},
+                          found.movedPx};
+}
+
 /// Steps from fit to fit towards the likeliest explanation.
 class ExplanationSearch {
 public:
@@ -174,6 +190,7 @@ public:
   WideModel wideAt(const Model& own, const std::vector<Term>& effects, const Fit& fit) const {
     return {measurements_, own, putInFront(effects, candidates_), pointOf(fit), true};
   }
+
   /// One step: fits the effects of the window's likeliest explanation. Returns false if they equal those already fitted
   /// or the linear explanation is infeasible.
   bool extend(const WideModel& wide, const Model& own, MissingEffectAnalysis& explained) const {
@@ -351,6 +368,7 @@ void testCompleteness(const Measurements& measurements, const Model& model, cons
   const Evidence evidence = computeEvidence(wide.problem(), explained.levels.noise, options.draws, options.drawSeed);
   explained.pValue = evidence.pValue;
   explained.matters = evidence.matters;
+  explained.negligible = describeNegligible(wide, evidence);
 }
 
 void fillExplanations(const MissingEffectAnalysis& explained, const Model& model, CalibrationResult& result) {
@@ -370,6 +388,7 @@ void fillExplanations(const MissingEffectAnalysis& explained, const Model& model
   result.scatter = explained.levels.scatter;
   result.pValue = explained.pValue;
   result.matters = explained.matters;
+  result.negligible = explained.negligible;
 }
 
 } // namespace naocal

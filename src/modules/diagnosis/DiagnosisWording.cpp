@@ -1,5 +1,6 @@
 #include "diagnosis/DiagnosisWording.hpp"
 
+#include "calibration/result/Wording.hpp"
 #include "inference/Thresholds.hpp"
 #include "io/Units.hpp"
 #include "math/Angles.hpp"
@@ -62,10 +63,7 @@ std::string formatTrivial(const Diagnosis& diagnosis) {
     return {};
   }
   const CandidateFinding& first = diagnosis.ranking.front();
-  return fmt::format(" {} is hardly chance ({}), but it changes the predictions by only {:.2g} {}: too little to "
-                     "matter.",
-                     first.term.label(), formatSizes(first), diagnosis.unit.perPx * first.evidence.movedPx,
-                     diagnosis.unit.name);
+  return " " + formatNegligible({first.term.label(), formatSizes(first), first.evidence.movedPx}, diagnosis.unit);
 }
 
 std::string formatAdequate(const Diagnosis& diagnosis) {
@@ -221,25 +219,11 @@ std::string formatAmplitude(const DriverCurve& curve) {
 bool isTold(const CandidateFinding& finding, std::size_t unknown) {
   const auto row = static_cast<Eigen::Index>(unknown);
   return finding.evidence.estimate.size() > row &&
-         std::sqrt(finding.evidence.covariance(row, row)) <
-             threshold::undetermined * finding.term.effect.unknowns[unknown].sigma;
+         isTold(finding.term.effect.unknowns[unknown], finding.evidence.covariance(row, row));
 }
 
 std::string formatSizes(const CandidateFinding& finding) {
-  std::vector<std::string> parts;
-  for (std::size_t i = 0; i < finding.term.effect.unknowns.size(); ++i) {
-    const Unknown& unknown = finding.term.effect.unknowns[i];
-    const auto row = static_cast<Eigen::Index>(i);
-    const double value = finding.evidence.estimate[row], sigma = std::sqrt(finding.evidence.covariance(row, row));
-    if (!isTold(finding, i)) {
-      parts.push_back(unknown.name + " undetermined");
-      continue;
-    }
-    const auto [unit, scale] = displayUnit(unknown.unit);
-    parts.push_back(
-        appendUnit(fmt::format("{} = {}", unknown.name, formatEstimate(scale * value, scale * sigma)), unit));
-  }
-  return fmt::format("{}", fmt::join(parts, ", "));
+  return formatSizes(finding.term.effect, finding.evidence.estimate, finding.evidence.covariance);
 }
 
 std::string formatDetectable(const CandidateFinding& finding) {

@@ -122,6 +122,12 @@ struct RejectedMeasurements {
   }
 };
 
+/// An effect or curve beyond chance that hardly changes what is predicted.
+struct NegligibleEffect {
+  std::string label, sizes; // "rollingShutter@top", "t = 0.3 ± 0.1 ms"; no sizes of a curve
+  double movedPx = 0;       // rms displacement of predicted corners [px]
+};
+
 /// A reason for caution, with advice.
 struct Warning {
   enum class About { fit, offset, floor };
@@ -173,6 +179,8 @@ struct CalibrationResult {
   double scatter = 0;                    // decrease of -2 ln likelihood from zero to the estimated pose noise
   std::vector<Explanation> explanations; // by decreasing weight; weights above 0.01
   std::vector<WrongSetUp> setUps;        // that explain the misfit; those were not mended
+  /// What is beyond chance, if it does not matter.
+  std::optional<NegligibleEffect> negligible;
   std::vector<WeakDirection> weak;
   std::vector<Outlier> outliers;
   std::vector<DoubtfulReading> doubtfulReadings;

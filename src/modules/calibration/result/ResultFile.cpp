@@ -379,6 +379,11 @@ json resultJson(const FittedModel& fitted, const ResultSources& inputs) {
                   {"sightings", residualsJson(fitted.measurements, fitted.fit)}});
   result["reasons"] = fitted.fit.reasons;
   result["rejected"] = rejectedJson(fitted.fit);
+  if (fitted.fit.negligible) {
+    result["negligible"] = {{"label", fitted.fit.negligible->label},
+                            {"sizes", fitted.fit.negligible->sizes},
+                            {"movedPx", fitted.fit.negligible->movedPx}};
+  }
   if (fitted.measurements.hasUnknownSteps()) {
     result["noise"]["unknownSteps"] = true;
   }

@@ -212,6 +212,9 @@ void judgeResult(const Measurements& measurements, const Model& model, Calibrati
   if (!result.usable && !isFirm) {
     result.reasons.insert(result.reasons.begin(), formatUnexplained(result, displaced, cause));
   }
+  if (result.usable && result.negligible) {
+    result.sentence += " " + formatNegligible(*result.negligible, errorUnitOf(measurements, result.noise));
+  }
   warnOfHeldOffsets(model, held, result);
   warnOfOutliers(result);
   warnOfSharedCause(result);

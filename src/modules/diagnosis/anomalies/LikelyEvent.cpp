@@ -332,7 +332,7 @@ Estimated estimateLikeliest(const std::vector<Tried>& tried, const FittedModel& 
 
 /// Whether nothing is left of an event once it is in the model: its captures do not agree on it, and lost their weight.
 bool isGone(const std::vector<EventValue>& values) {
-  constexpr double most = 2; // sigmas
+  constexpr double most = 3; // sigmas
   return std::all_of(values.begin(), values.end(),
                      [](const EventValue& one) { return one.sigma > 0 && std::abs(one.value) < most * one.sigma; });
 }
