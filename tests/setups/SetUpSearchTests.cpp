@@ -3,8 +3,13 @@
 #include "setups/CheckedCalibration.hpp"
 #include "setups/Mending.hpp"
 
+#include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
+#include <cstdio>
 #include <fmt/core.h>
+#include <functional>
+#include <map>
 
 namespace naocal {
 namespace {
@@ -152,6 +157,13 @@ TEST_CASE("how often mistakes are named, alone and beside an effect", "[.rates]"
           std::fflush(stdout);
         }
       }
+      std::array<int, 4> sums{};
+      for (const auto& [name, rate] : rates) {
+        std::transform(rate.begin(), rate.end(), sums.begin(), sums.begin(), std::plus<>{});
+      }
+      fmt::print("seed {}: alone {}/{}, beside {}/{}; sound suspected {}/{}\n", seed, sums[0], sums[1], sums[2],
+                 sums[3], suspectedSound, sound);
+      std::fflush(stdout);
     }
   }
   for (const auto& [name, rate] : rates) {

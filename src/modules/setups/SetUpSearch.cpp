@@ -307,40 +307,55 @@ std::string describeDoubt(const SetUpSearch& search, const SetUpFit& before) {
   return others.empty() ? "" : fmt::format(", or {}: these captures cannot tell", fmt::join(others, " or "));
 }
 
-/// `physics`: what the captures as they are leave with the likeliest physical effects.
-std::vector<WrongSetUp> search(const Measurements& measurements, const AskedModel& asked, const SetUpFit& before,
-                               const SetUpFit& physics) {
-  SetUpSearch search{measurements, asked, before};
-  search.run();
+/// What the captures as they are leave: without and with the likeliest physical effects.
+struct AsTheyAre {
+  SetUpFit fit, physics;
+
+  const SetUpFit& least() const { return physics.length < fit.length ? physics : fit; }
+};
+
+/// By how much undoing the mistakes shortens the description, beyond any physics [2 ln]. Absent if that is too little,
+/// or if the error stays. Where an effect hides the mistake or leaves an error of its own, both sides have one.
+std::optional<double> assessGain(const Explained& best, const AsTheyAre& asTheyAre, const AskedModel& asked,
+                                 bool samePlace) {
+  const SetUpFit& before = asTheyAre.fit;
+  if (best.mistakes.empty() || !(best.length() < before.length - threshold::veryStrong)) {
+    return std::nullopt;
+  }
+  const bool isDoubtful = before.error >= grossError && !before.farPlace.empty();
+  const double gain = asTheyAre.least().length - best.length();
+  if (gain > (isDoubtful ? beyondDoubt : threshold::veryStrong) && removesError(before, best.fit)) {
+    return gain;
+  }
+  const SetUpFit after = fitMended(best.recording, asked, samePlace);
+  const double gainBeside = asTheyAre.least().length - (best.length() - best.fit.length + after.length);
+  return gainBeside > beyondDoubt && removesError(asTheyAre.least(), after) ? std::optional{gainBeside} : std::nullopt;
+}
+
+/// The mistakes with their sentences; the last one's says what is left.
+std::vector<WrongSetUp> describeMistakes(const SetUpSearch& search, const SetUpFit& before, double odds) {
   const Explained& best = search.best();
-  const double gain = std::min(before.length, physics.length) - best.length();
-  const bool isGross = before.error >= grossError;
-  if (best.mistakes.empty() || !(gain > threshold::veryStrong)) {
-    return {};
-  }
-  if (!removesError(before, best.fit) || (isGross && !before.farPlace.empty() && gain < beyondDoubt)) {
-    const SetUpFit& least = physics.length < before.length ? physics : before;
-    const SetUpFit after = fitMended(best.recording, asked, measurements.samePlace);
-    if (!(after.length < least.length - beyondDoubt && removesError(least, after))) {
-      return {};
-    }
-  }
-  const Explained* const rival = search.rival();
-  const double lead = std::min(gain, rival ? rival->length() - best.length() : gain);
-  const double odds = std::exp(std::clamp(lead / 2, 0.0, std::log(mostOdds)));
-  const std::string doubt = describeDoubt(search, before);
   std::vector<WrongSetUp> found;
   for (const Hypothesis& mistake : best.mistakes) {
-    const bool isLast = &mistake == &best.mistakes.back();
     found.push_back({mistake.label(), mistake.mending.what,
                      fmt::format(fmt::runtime(mistake.setUp->question), mistake.place), odds});
-    if (isLast) {
-      found.back().why += doubt;
-      found.back().why +=
-          best.fit.size.empty() || !doubt.empty() ? "" : fmt::format(" (so corrected the error is {})", best.fit.size);
-    }
   }
+  const std::string doubt = describeDoubt(search, before);
+  const bool hasSize = doubt.empty() && !best.fit.size.empty();
+  found.back().why += hasSize ? fmt::format(" (so corrected the error is {})", best.fit.size) : doubt;
   return found;
+}
+
+std::vector<WrongSetUp> search(const Measurements& measurements, const AskedModel& asked, const AsTheyAre& asTheyAre) {
+  SetUpSearch search{measurements, asked, asTheyAre.fit};
+  search.run();
+  const auto gain = assessGain(search.best(), asTheyAre, asked, measurements.samePlace);
+  if (!gain) {
+    return {};
+  }
+  const Explained* const rival = search.rival();
+  const double lead = std::min(*gain, rival ? rival->length() - search.best().length() : *gain);
+  return describeMistakes(search, asTheyAre.fit, std::exp(std::clamp(lead / 2, 0.0, std::log(mostOdds))));
 }
 
 } // namespace
@@ -351,13 +366,14 @@ std::vector<WrongSetUp> findSetUps(const FittedModel& fitted) {
     return {};
   }
   const AskedModel asked = AskedModel::of(fitted.measurements, fitted.model);
-  SetUpFit anew = fitAnew(fitted.measurements, fitted.model, {}).value_or(SetUpFit{});
-  return search(fitted.measurements, asked, anew.length < before.length ? anew : before, fitWithEffects(fitted, asked));
+  const SetUpFit anew = fitAnew(fitted.measurements, fitted.model, {}).value_or(SetUpFit{});
+  return search(fitted.measurements, asked,
+                {anew.length < before.length ? anew : before, fitWithEffects(fitted, asked)});
 }
 
 std::vector<WrongSetUp> findSetUps(const Measurements& measurements, const Model& model) {
-  const AskedModel asked = AskedModel::of(measurements, model);
-  return search(measurements, asked, fitAnew(measurements, model, {}).value_or(SetUpFit{}), {});
+  return search(measurements, AskedModel::of(measurements, model),
+                {fitAnew(measurements, model, {}).value_or(SetUpFit{}), {}});
 }
 
 std::vector<WrongSetUp> findSlippedCounts(const FittedModel& fitted) {
