@@ -86,11 +86,8 @@ inline constexpr double mostTurnNoise = 0.0175;   // [rad]
 inline constexpr double mostContactNoise = 0.001; // [m]
 
 // Grossly wrong set-ups [px]
-inline constexpr double impossiblePx = 25;   // distance from its prediction that no physics of a walking robot explains
-inline constexpr double grossPx = 3;         // rms above which alternative set-ups are tried
-inline constexpr double grossMetres = 0.01;  // the same for the estimated noise of readings [m], which hides misfit: no
-inline constexpr double grossRadians = 0.02; // tracker or touch is so noisy; of orientations [rad]
-inline constexpr double absurdPx = 100;      // rms that neither physics nor an event explains
+inline constexpr double impossiblePx = 25; // distance from its prediction that no physics of a walking robot explains
+inline constexpr double absurdPx = 100;    // rms that neither physics nor an event explains
 inline constexpr double soundPx =
     5; // rms that a correct set may have with unmodelled physics; corrections must leave less
 inline constexpr double correctionShare =

@@ -77,9 +77,10 @@ std::optional<EstimatedFactor> estimateFactor(Recording recording, const std::st
   }
 }
 
-/// The same from several starts, in a part of the captures. Absent if no fit is possible.
+/// The same from several starts, in a part of the captures. Absent if no fit is possible, or if these captures tell
+/// nothing of the size: those of a camera that stands anywhere beside the robot.
 std::optional<double> estimateFactor(const Measurements& measurements, const std::string& id) {
-  const std::size_t unknowns = buildModel(measurements, scalesOf(measurements, id)).unknownCount();
+  const std::size_t unknowns = buildModel(measurements).unknownCount();
   const Recording part = selectCaptures(measurements, unknowns).of({*measurements.sets, measurements.robot});
   EstimatedFactor best;
   for (const double start : {1.0, 5.0, 0.2, 25.0, 0.04}) {
