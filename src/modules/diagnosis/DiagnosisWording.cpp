@@ -96,6 +96,22 @@ std::pair<std::string, std::string> formatPlaceAndAmplitude(const DriverCurve& c
           formatAmplitude(curve)};
 }
 
+/// What the catalogue explains of a misfit that has an unknown part, too.
+std::string formatNamed(const Diagnosis& diagnosis, const std::vector<std::string>& named) {
+  if (named.empty()) {
+    return "An unknown effect: no effect in the catalogue explains the misfit.";
+  }
+  const SelectionStep &before = diagnosis.steps.front(),
+                      &after = *std::prev(diagnosis.steps.end(), diagnosis.own ? 2 : 1);
+  const std::string fall = before.heldOutPx && after.heldOutPx
+                               ? fmt::format(" (the held-out error falls from {:.2f} to {:.2f} {})",
+                                             diagnosis.unit.perPx * *before.heldOutPx,
+                                             diagnosis.unit.perPx * *after.heldOutPx, diagnosis.unit.name)
+                               : "";
+  return fmt::format("{} {} missing{}, and an unknown effect beside: no effect in the catalogue explains the rest.",
+                     fmt::join(named, " and "), named.size() > 1 ? "are" : "is", fall);
+}
+
 std::string formatUnknown(const Diagnosis& diagnosis) {
   const DriverCurve& curve = diagnosis.driverCurves.front();
   const auto [where, howFar] = formatPlaceAndAmplitude(curve);
@@ -107,11 +123,8 @@ std::string formatUnknown(const Diagnosis& diagnosis) {
                       diagnosis.own->label, diagnosis.unit.perPx * *std::prev(diagnosis.steps.end(), 2)->heldOutPx,
                       diagnosis.unit.perPx * *diagnosis.own->step.heldOutPx, diagnosis.unit.name);
   }
-  return fmt::format("unknown effect: no effect in the catalogue explains the misfit. It sits at {} and varies with {} "
-                     "({}), by about {}{}.{}{}",
-                     where, curve.driver, curve.what, howFar,
-                     curve.expression.empty() ? "" : "; like " + curve.expression,
-                     named.empty() ? "" : fmt::format(" It remains after adding {}.", fmt::join(named, ", ")),
+  return fmt::format("{} It sits at {} and varies with {} ({}), by about {}{}.{}", formatNamed(diagnosis, named), where,
+                     curve.driver, curve.what, howFar, curve.expression.empty() ? "" : "; like " + curve.expression,
                      own.empty() ? "" : " " + own);
 }
 
@@ -243,7 +256,7 @@ std::string summarize(const Diagnosis& diagnosis) {
         "Something is wrong with the captures or the set-up: {}.{}", formatAnomalies(diagnosis.anomalies),
         diagnosis.suggested.empty() ? "" : fmt::format(" Also missing: {}.", fmt::join(diagnosis.suggested, ", ")));
   case Verdict::unknownEffect:
-    return "An " + formatUnknown(diagnosis);
+    return formatUnknown(diagnosis);
   case Verdict::effectMissing:
     return formatMissing(diagnosis);
   case Verdict::scatter:

@@ -1,5 +1,6 @@
 #include "calibration/result/Plausibility.hpp"
 
+#include "calibration/ReadingNoise.hpp"
 #include "calibration/result/Wording.hpp"
 #include "effects/Catalogue.hpp"
 #include "inference/Thresholds.hpp"
@@ -94,11 +95,13 @@ void addGrossNoise(const FittedModel& fitted, std::vector<std::string>& sentence
     const ReadingLevel& level = fitted.measurements.levels[i];
     const bool isLength = level.unit == ReadingLevel::Unit::metres;
     const double sigma = sigmaOf(fitted.measurements, fitted.fit.noise, i);
-    if (!level.isGiven && sigma > (isLength ? threshold::grossMetres : threshold::grossRadians)) {
+    constexpr double nearly = 0.95; // the search for a level ends within a few percent of its upper end
+    if (!level.isGiven && sigma > nearly * mostNoiseOf(level)) {
       sentences.push_back(fmt::format(
-          "the readings of {} scatter by {} (1 sigma), which no instrument does: something is wrong with them or with "
+          "the readings of {} scatter by {} (1 sigma) or more, which no instrument does: something is wrong with them "
+          "or with "
           "the model; if the instrument is that coarse, give its sigma in the file",
-          level.name, isLength ? fmt::format("{:.0f} mm", 1e3 * sigma) : fmt::format("{:.1f}°", degrees(sigma))));
+          level.name, isLength ? fmt::format("{:.1f} mm", 1e3 * sigma) : fmt::format("{:.1f}°", degrees(sigma))));
     }
   }
 }
