@@ -132,20 +132,20 @@ TEST_CASE("what can only be traded against another effect is no reason against u
 }
 
 TEST_CASE("readings that a tracker never took are not called good") {
-  // Proves that all readings count, not only those that a robust fit keeps: some of them are at the tracker's zero.
-  // Beyond one in twenty the error is beyond what any robot has; a single one of sixty is counted and the rest used.
-  const auto zeros = [](std::size_t every) {
+  // Proves that all readings count, not only those that a robust fit keeps: some of them are of another marker. Beyond
+  // one in twenty the error is beyond what any robot has; a single one of sixty is counted and the rest used.
+  const auto strays = [](std::size_t every) {
     return [every](json& set) {
       for (std::size_t i = 0; i < set["captures"].size(); i += every) {
-        set["captures"][i]["points"][0]["xyz"] = {0, 0, 0};
+        set["captures"][i]["points"][0]["xyz"] = {0.1 + 0.001 * static_cast<double>(i), -0.2, 0.3};
       }
     };
   };
-  const CalibrationResult many = solveArm({.frames = false, .contacts = false}, zeros(5));
+  const CalibrationResult many = solveArm({.frames = false, .contacts = false}, strays(5));
   CAPTURE(many.sentence);
   CHECK(many.verdict == ResultVerdict::doNotUse);
   CHECK(says(many.reasons, "of 60 readings do not fit the rest"));
-  const CalibrationResult one = solveArm({.frames = false, .contacts = false}, zeros(1000));
+  const CalibrationResult one = solveArm({.frames = false, .contacts = false}, strays(1000));
   CAPTURE(one.sentence);
   CHECK(one.verdict != ResultVerdict::doNotUse);
   CHECK(one.sentence.find("1 of 60 readings does not fit the rest; without it the error is") != std::string::npos);

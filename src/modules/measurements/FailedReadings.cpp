@@ -47,8 +47,8 @@ public:
   /// Adds a capture's readings.
   void collect(std::size_t index, ReadingsByTarget& readings) const {
     const Capture& capture = set_.captures[index];
-    if (capture.points.empty() && capture.frames.empty()) {
-      return;
+    if ((capture.points.empty() && capture.frames.empty()) || !capture.source) {
+      return; // without a source it is planned: its readings are still to come
     }
     const LinkPoses poses = forwardKinematics(robot_, anglesOf(capture));
     const std::size_t stance = frames_.stanceIndex(set_, capture.stance);

@@ -26,7 +26,8 @@ struct FailedReadings {
 ///   - the target moved between two of them, or
 ///   - their distances from the other readings, which no placement of the tracker changes, differ from the distances of
 ///     the target's places by three times as much as those of the other readings do.
-/// Where a value comes back after other ones, it stands for "nothing", and its first occurrence is none either.
+/// Where a value comes back after other ones, it stands for "nothing", and its first occurrence is none either. Looks
+/// at captures with a `source` only: planned ones hold no readings yet.
 std::vector<FailedReadings> findFailedReadings(const CaptureSet& set, const Robot& robot);
 
 /// Removes these readings from their captures, which stay, even if nothing is left in them.

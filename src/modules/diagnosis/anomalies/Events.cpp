@@ -345,6 +345,30 @@ bool isSameThing(const TransientEvent& one, const TransientEvent& other) {
          one.term.effect.name == other.term.effect.name;
 }
 
+namespace {
+
+/// Whether whole views still disagree with the rest: any of the event's captures, or more than a tenth of those after
+/// its moment, as another accident may follow.
+bool leavesOutliers(const TransientEvent& event, const Measurements& measurements, const CalibrationResult& fit) {
+  constexpr double most = 0.1; // share
+  const auto isConcerned = [&](const ImageObservation& picture) {
+    const std::vector<int>& ids = event.captures;
+    return picture.set == event.set &&
+           (event.from ? isAfter(picture.instant, *event.from)
+                       : std::find(ids.begin(), ids.end(), measurements.captureOf(picture).id) != ids.end());
+  };
+  double views = 0, outliers = 0;
+  for (const ImageObservation& picture : measurements.pictures) {
+    views += isConcerned(picture) ? static_cast<double>(picture.observations.size()) : 0;
+  }
+  for (const Outlier& outlier : fit.outliers) {
+    outliers += outlier.whole && isConcerned(measurements.pictures[outlier.picture]) ? 1 : 0;
+  }
+  return outliers > (event.from ? most * views : 0);
+}
+
+} // namespace
+
 std::optional<EventEstimate> estimateEvent(const TransientEvent& event, const FittedModel& fitted,
                                            const Eigen::VectorXd& start) {
   constexpr double wide = 3; // an event has no usual size
@@ -365,7 +389,7 @@ std::optional<EventEstimate> estimateEvent(const TransientEvent& event, const Fi
   options.start->tail(start.size()) = start;
   try {
     const CalibrationResult result = calibrate(fitted.measurements, larger, options);
-    EventEstimate estimate{{}, result.noise};
+    EventEstimate estimate{{}, result.noise, leavesOutliers(event, fitted.measurements, result)};
     for (std::size_t i = 0; i < term.effect.unknowns.size(); ++i) {
       const Estimate& one = result.estimates[first + i];
       const auto [low, high] = one.interval();

@@ -287,6 +287,7 @@ bool explainsMisfit(const Tried& tried, const FittedModel& fitted) {
 struct Estimated {
   TransientEvent event;
   std::vector<EventValue> values;
+  bool leavesOutliers = false;
 };
 
 /// Values without sigmas, of a search that failed.
@@ -313,7 +314,7 @@ Estimated estimateLikeliest(const std::vector<Tried>& tried, const FittedModel& 
     }
   }
   if (moments.size() == 1) {
-    return {best.event, estimate->values};
+    return {best.event, estimate->values, estimate->leavesOutliers};
   }
   CalibrationResult sharper = fitted.fit;
   sharper.noise = estimate->noise;
@@ -324,15 +325,16 @@ Estimated estimateLikeliest(const std::vector<Tried>& tried, const FittedModel& 
     likeliest = fallOf(i) > fallOf(likeliest) ? i : likeliest;
   }
   if (likeliest == 0 || !fits[likeliest]) {
-    return {best.event, estimate->values};
+    return {best.event, estimate->values, estimate->leavesOutliers};
   }
   const auto again = estimateEvent(moments[likeliest], fitted, fits[likeliest]->values);
   return again ? Estimated{moments[likeliest], again->values} : Estimated{best.event, estimate->values};
 }
 
-/// Whether nothing is left of an event once it is in the model: its captures do not agree on it, and lost their weight.
+/// Whether nothing is left of an event once it is in the model: what was seen after it does not agree on it, and lost
+/// its weight.
 bool isGone(const std::vector<EventValue>& values) {
-  constexpr double most = 3; // sigmas
+  constexpr double most = 0.5; // sigmas of each unknown: small moves in several directions are less certain each
   return std::all_of(values.begin(), values.end(),
                      [](const EventValue& one) { return one.sigma > 0 && std::abs(one.value) < most * one.sigma; });
 }
@@ -349,13 +351,14 @@ std::optional<LikelyEvent> tellLikeliest(const std::vector<Tried>& tried, const 
   const Tried& best = tried.front();
   constexpr double mostOdds = 1e12;
   LikelyEvent result{best.event, std::min(mostOdds, std::exp((best.bayes - rivals.best()) / 2)), {}};
-  if (best.event.from || !best.event.moved.empty()) {
+  const bool isSized = best.event.from || !best.event.moved.empty();
+  if (isSized || best.event.captures.size() > 1) {
     Estimated estimated = estimateLikeliest(tried, fitted);
-    if (isGone(estimated.values)) {
+    if (isGone(estimated.values) || estimated.leavesOutliers) {
       return std::nullopt;
     }
     result.event = best.event.from ? widenEvent(std::move(estimated.event), fine) : std::move(estimated.event);
-    result.values = std::move(estimated.values);
+    result.values = isSized ? std::move(estimated.values) : std::vector<EventValue>{};
   }
   result.sentence = describeEvent(result.event, result.values) + formatAlternatives(tried);
   return result;

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <limits>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
@@ -159,6 +160,7 @@ private:
 
   Capture readCapture(std::size_t row, ImportedSet& imported) {
     Capture capture;
+    capture.source = std::make_shared<const nlohmann::json>(nlohmann::json::object()); // recorded, though in no set yet
     capture.id = static_cast<int>(imported.set.captures.size());
     capture.supportFoot = SupportFoot::none;
     capture.time = Seconds{static_cast<double>(row)};
