@@ -125,6 +125,12 @@ TEST_CASE("every kind of problem is found by itself, with place and remedy") {
        [](json& set) {
          set["stances"].push_back({{"id", 77}, {"supportFoot", "left"}});
        }},
+      {"still-joints", 1, "1 joint never moved: LKneePitch;",
+       [&](json& set) {
+         for (json& capture : set["captures"]) {
+           capture["joints"]["measured"][knee] = 0.9;
+         }
+       }},
       {"missing-picture", 1, "images/none.png", [](json& set) { set["captures"][0]["image"] = "images/none.png"; }},
       {"not-usable", 1, "was not recorded",
        [&](json& set) {
