@@ -133,7 +133,7 @@ TEST_CASE("what can only be traded against another effect is no reason against u
 
 TEST_CASE("readings that a tracker never took are not called good") {
   // Proves that all readings count, not only those that a robust fit keeps: some of them are at the tracker's zero.
-  // Beyond one in twenty the error is beyond what any robot has; a single one of sixty is counted and the rest used.
+  // From one in ten on the error is beyond what any robot has; a single one of sixty is counted and the rest used.
   const auto zeros = [](std::size_t every) {
     return [every](json& set) {
       for (std::size_t i = 0; i < set["captures"].size(); i += every) {
@@ -141,7 +141,7 @@ TEST_CASE("readings that a tracker never took are not called good") {
       }
     };
   };
-  const CalibrationResult many = solveArm({.frames = false, .contacts = false}, zeros(5));
+  const CalibrationResult many = solveArm({.frames = false, .contacts = false}, zeros(4));
   CAPTURE(many.sentence);
   CHECK(many.verdict == ResultVerdict::doNotUse);
   CHECK(says(many.reasons, "of 60 readings do not fit the rest"));
