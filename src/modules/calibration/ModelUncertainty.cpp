@@ -373,15 +373,17 @@ void testCompleteness(const Measurements& measurements, const Model& model, cons
 
 void fillExplanations(const MissingEffectAnalysis& explained, const Model& model, CalibrationResult& result) {
   const ModelWindow& window = explained.window;
-  const Eigen::VectorXd widening = computeLevelWidening(explained.fit.minimum.linear, model.sigmas(), explained.levels);
+  const Eigen::VectorXd sigmas = model.sigmas();
+  const Eigen::VectorXd widening = computeLevelWidening(explained.fit.minimum.linear, sigmas, explained.levels);
   for (const auto& [i, own] : sharedUnknowns(model, explained.own)) {
     const double mean = window.mean[own];
     const auto [low, high] = window.interval(own);
-    result.estimates[static_cast<std::size_t>(i)].averaged =
-        Averaged{.value = mean,
-                 .sigma = std::sqrt(window.variance[own]) * widening[i],
-                 .low = mean + (low - mean) * widening[i],
-                 .high = mean + (high - mean) * widening[i]};
+    Estimate& estimate = result.estimates[static_cast<std::size_t>(i)];
+    estimate.averaged = Averaged{.value = mean,
+                                 .sigma = std::sqrt(window.variance[own]) * widening[i],
+                                 .low = mean + (low - mean) * widening[i],
+                                 .high = mean + (high - mean) * widening[i]};
+    estimate.learned = std::max(0.0, 1 - estimate.averaged->sigma / sigmas[i]);
   }
   result.explanations = listExplanations(explained, addedEffects(model));
   result.misfitLeft = window.misfit;

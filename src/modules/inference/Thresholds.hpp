@@ -99,6 +99,7 @@ inline constexpr double impossibleMetres = 0.05; // rms error of readings [m]: `
 inline constexpr double impossibleRadians = 0.045; // the same as an angle, of orientations and directions [rad]
 inline constexpr double impossibleNoises = 20; // and in units of a noise that is given: the instrument may be coarse
 inline constexpr double unexplainedNoises = 3; // rms error in noise floors, above which it is not noise
+inline constexpr double manyRejected = 0.1;    // share of rejected measurements from which on the fit is at fault, too
 inline constexpr double fewRejected = 0.01;    // share of measurements that accidents of a detector may spoil
 
 } // namespace naocal::threshold

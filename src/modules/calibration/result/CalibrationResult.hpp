@@ -53,7 +53,7 @@ struct Estimate {
   double sigma = 0;                      // standard error, already scaled by `sigmaScale`
   double halfWidth = 0;                  // of the 95 % interval: Student's t if few poses determine the noise levels
   double freedom = 0;                    // degrees of freedom of that t distribution
-  double learned = 0;                    // 1 - posterior sigma / prior sigma, at least 0
+  double learned = 0;                    // 1 - `bestSigma()` / prior sigma, at least 0
   std::optional<Averaged> averaged = {}; // if `CalibrationOptions::testMissingEffects`
 
   /// Final value: averaged over possible missing effects if tested, else under the model as given.

@@ -77,7 +77,7 @@ double impossibleDistance(const Measurements& measurements) {
 
 void addImpossibleError(const FittedModel& fitted, std::vector<std::string>& sentences) {
   const RejectedMeasurements& rejected = fitted.fit.rejected;
-  const bool areFew = rejected.share() <= threshold::manyCorners;
+  const bool areFew = rejected.share() < threshold::manyRejected;
   const double distance = areFew ? rejected.keptPx : rejected.presentPx;
   const ReadingErrors& readings = areFew ? rejected.keptReadings : fitted.fit.readings;
   const bool isFar = fitted.measurements.cornerCount > 0 && distance > impossibleDistance(fitted.measurements);

@@ -18,7 +18,7 @@ std::optional<std::string> describeImplausible(const Term& term, std::span<const
 /// Errors, noise and values of a fit that are beyond what any robot has, one sentence each:
 ///   - rms errors beyond `threshold::impossiblePx`, as an angle through longer lenses, or `impossibleMetres` and
 ///     `impossibleRadians` (and `impossibleNoises` times a noise that is given). Displaced boards do not count, and
-///     other rejected measurements only where they are more than `threshold::manyCorners`;
+///     other rejected measurements only from a share of `threshold::manyRejected` on;
 ///   - estimated noise of readings beyond `threshold::grossMetres` or `grossRadians`, which hides any misfit;
 ///   - implausible values, as fitted or averaged.
 std::vector<std::string> listImpossible(const FittedModel& fitted);

@@ -50,11 +50,11 @@ std::string formatSizes(const CalibrationResult& result, const DisplacedBoardCou
   return fmt::format("{}the error is {:.2f} px, the noise floor {:.2f} px", without, error, result.noiseFloorPx);
 }
 
-/// Whether what the model leaves is noise, apart from few measurements that an accident spoiled.
-bool isNoise(const CalibrationResult& result) {
+/// Whether what the model leaves is noise, apart from rejected measurements up to this share of all.
+bool isNoise(const CalibrationResult& result, double mostRejected) {
   const double most = threshold::unexplainedNoises * result.noiseFloorPx;
   const RejectedMeasurements& rejected = result.rejected;
-  return rejected.presentPx <= most || (rejected.keptPx <= most && rejected.share() <= threshold::fewRejected);
+  return rejected.presentPx <= most || (rejected.keptPx <= most && rejected.share() <= mostRejected);
 }
 
 /// Whether the model explains the captures, and if not, whether the offsets remain reliable. `missing`: something is
@@ -64,8 +64,12 @@ ResultVerdict judgeExplained(const Model& model, const CalibrationResult& result
   constexpr double widest = radians(0.5); // [rad]: limit of half an offset's 95 % interval
   const bool fits =
       result.misfitLeft < threshold::mostMisfit(result.misfitFreedom) || result.rmsPx < result.noiseFloorPx;
-  if (!missing && fits && isNoise(result) && result.noise.pose < suspectScatter) {
+  const bool isExplained = !missing && fits && result.noise.pose < suspectScatter;
+  if (isExplained && isNoise(result, threshold::fewRejected)) {
     return ResultVerdict::good;
+  }
+  if (isExplained && isNoise(result, threshold::manyRejected)) { // the rest is explained, however wide the intervals
+    return ResultVerdict::causeMissing;
   }
   bool holds = result.misfitLeft < threshold::bearableMisfit;
   for (const Term& term : model.terms()) {

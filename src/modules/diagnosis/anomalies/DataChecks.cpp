@@ -97,7 +97,7 @@ std::vector<DataAnomaly> findTransientAnomalies(const FittedModel& fitted, const
   if (!likeliest) {
     return {};
   }
-  const auto& [event, odds, why, values] = *likeliest;
+  const auto& [event, odds, fall, why, values] = *likeliest;
   if (event.captures.empty()) {
     return {DataAnomaly{.capture = {},
                         .why = why,

@@ -5,6 +5,7 @@
 #include "estimation/EffectJacobian.hpp"
 #include "estimation/Model.hpp"
 #include "inference/DriverBasis.hpp"
+#include "inference/Thresholds.hpp"
 #include "io/InputError.hpp"
 #include "io/Units.hpp"
 #include "math/Angles.hpp"
@@ -348,7 +349,7 @@ bool isSameThing(const TransientEvent& one, const TransientEvent& other) {
 namespace {
 
 /// Whether whole views still disagree with the rest: any of the event's captures, or more than a tenth of those after
-/// its moment, as another accident may follow.
+/// its moment, as another accident may follow; or views that share something.
 bool leavesOutliers(const TransientEvent& event, const Measurements& measurements, const CalibrationResult& fit) {
   constexpr double most = 0.1; // share
   const auto isConcerned = [&](const ImageObservation& picture) {
@@ -364,7 +365,21 @@ bool leavesOutliers(const TransientEvent& event, const Measurements& measurement
   for (const Outlier& outlier : fit.outliers) {
     outliers += outlier.whole && isConcerned(measurements.pictures[outlier.picture]) ? 1 : 0;
   }
-  return outliers > (event.from ? most * views : 0);
+  return outliers > (event.from ? most * views : 0) || !fit.sharedCauses.empty();
+}
+
+/// Whether a term's unknowns differ from zero beyond doubt (Wald test, correlations of the fit, sigmas as reported).
+bool isSignificant(const CalibrationResult& fit, const Term& term) {
+  const Eigen::Index first = eigenIndex(term.first), count = term.sigmas().size();
+  Eigen::VectorXd inSigmas(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const Estimate& one = fit.estimates[static_cast<std::size_t>(first + i)];
+    inSigmas[i] = one.best() / one.bestSigma();
+  }
+  const Eigen::MatrixXd covariance = fit.covariance.block(first, first, count, count);
+  const Eigen::VectorXd scale = covariance.diagonal().cwiseSqrt().cwiseInverse();
+  return inSigmas.dot((scale.asDiagonal() * covariance * scale.asDiagonal()).ldlt().solve(inSigmas)) >=
+         threshold::veryStrong;
 }
 
 } // namespace
@@ -389,7 +404,10 @@ std::optional<EventEstimate> estimateEvent(const TransientEvent& event, const Fi
   options.start->tail(start.size()) = start;
   try {
     const CalibrationResult result = calibrate(fitted.measurements, larger, options);
-    EventEstimate estimate{{}, result.noise, leavesOutliers(event, fitted.measurements, result)};
+    EventEstimate estimate{{},
+                           result.noise,
+                           leavesOutliers(event, fitted.measurements, result) ||
+                               !isSignificant(result, larger.terms().back())};
     for (std::size_t i = 0; i < term.effect.unknowns.size(); ++i) {
       const Estimate& one = result.estimates[first + i];
       const auto [low, high] = one.interval();

@@ -68,7 +68,7 @@ std::vector<std::optional<EventFit>> fitEvents(const std::vector<TransientEvent>
 struct EventEstimate {
   std::vector<EventValue> values;
   Noise noise;
-  bool leavesOutliers = false; // whole views of what it concerns: it moves them together, but not to where they are
+  bool isRefuted = false; // nothing is left of it, or whole views of what it concerns are not where it moves them
 };
 
 /// Calibrates with the event in the model, from `start`, with all noise levels estimated anew: without it, what it did

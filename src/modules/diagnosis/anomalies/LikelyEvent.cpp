@@ -287,7 +287,7 @@ bool explainsMisfit(const Tried& tried, const FittedModel& fitted) {
 struct Estimated {
   TransientEvent event;
   std::vector<EventValue> values;
-  bool leavesOutliers = false;
+  bool isRefuted = false;
 };
 
 /// Values without sigmas, of a search that failed.
@@ -314,7 +314,7 @@ Estimated estimateLikeliest(const std::vector<Tried>& tried, const FittedModel& 
     }
   }
   if (moments.size() == 1) {
-    return {best.event, estimate->values, estimate->leavesOutliers};
+    return {best.event, estimate->values, estimate->isRefuted};
   }
   CalibrationResult sharper = fitted.fit;
   sharper.noise = estimate->noise;
@@ -325,18 +325,11 @@ Estimated estimateLikeliest(const std::vector<Tried>& tried, const FittedModel& 
     likeliest = fallOf(i) > fallOf(likeliest) ? i : likeliest;
   }
   if (likeliest == 0 || !fits[likeliest]) {
-    return {best.event, estimate->values, estimate->leavesOutliers};
+    return {best.event, estimate->values, estimate->isRefuted};
   }
   const auto again = estimateEvent(moments[likeliest], fitted, fits[likeliest]->values);
-  return again ? Estimated{moments[likeliest], again->values} : Estimated{best.event, estimate->values};
-}
-
-/// Whether nothing is left of an event once it is in the model: what was seen after it does not agree on it, and lost
-/// its weight.
-bool isGone(const std::vector<EventValue>& values) {
-  constexpr double most = 0.5; // sigmas of each unknown: small moves in several directions are less certain each
-  return std::all_of(values.begin(), values.end(),
-                     [](const EventValue& one) { return one.sigma > 0 && std::abs(one.value) < most * one.sigma; });
+  return again ? Estimated{moments[likeliest], again->values, again->isRefuted}
+               : Estimated{best.event, estimate->values, estimate->isRefuted};
 }
 
 /// Whether something that stands anyhow moved so little that a sum of small effects which vary with time is likelier.
@@ -350,11 +343,11 @@ std::optional<LikelyEvent> tellLikeliest(const std::vector<Tried>& tried, const 
                                          const FittedModel& fitted) {
   const Tried& best = tried.front();
   constexpr double mostOdds = 1e12;
-  LikelyEvent result{best.event, std::min(mostOdds, std::exp((best.bayes - rivals.best()) / 2)), {}};
+  LikelyEvent result{best.event, std::min(mostOdds, std::exp((best.bayes - rivals.best()) / 2)), best.fall, {}};
   const bool isSized = best.event.from || !best.event.moved.empty();
   if (isSized || best.event.captures.size() > 1) {
     Estimated estimated = estimateLikeliest(tried, fitted);
-    if (isGone(estimated.values) || estimated.leavesOutliers) {
+    if (estimated.isRefuted) {
       return std::nullopt;
     }
     result.event = best.event.from ? widenEvent(std::move(estimated.event), fine) : std::move(estimated.event);
@@ -408,7 +401,10 @@ std::optional<LikelyEvent> findLikeliestEvent(const FittedModel& fitted, const C
   }
   const FittedModel inFull{given, fitted.model, *all};
   const CandidateTests again{inFull, candidateTests.candidates(), {.draws = 0}};
-  return findLikeliestAt(inFull, again);
+  constexpr double most = 0.5; // share of what the accidents explain; a move that explains less leaves them
+  auto event = findLikeliestAt(inFull, again);
+  const bool explains = event && (!event->event.from || event->fall >= most * (all->chi2 - fitted.fit.chi2));
+  return explains ? std::move(event) : findLikeliestAt(fitted, candidateTests);
 }
 
 } // namespace naocal

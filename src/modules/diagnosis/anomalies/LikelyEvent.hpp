@@ -13,6 +13,7 @@ namespace naocal {
 struct LikelyEvent {
   TransientEvent event;
   double odds = 1;
+  double fall = 0;                     // decrease of chi2 by it
   std::string sentence;                // the event, its size and time, and alternative explanations
   std::vector<EventValue> values = {}; // of the event's unknowns; empty where only the captures are in doubt
 };
