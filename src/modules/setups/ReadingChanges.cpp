@@ -1,5 +1,7 @@
 #include "setups/ReadingChanges.hpp"
 
+#include "measurements/JointMotion.hpp"
+
 #include "measurements/Measurements.hpp"
 
 #include <algorithm>
@@ -35,6 +37,16 @@ std::vector<std::string> namesOfJoints(const Measurements& measurements) {
   std::vector<std::string> names;
   for (const std::size_t joint : measurements.joints) {
     names.push_back(measurements.robot.joints[joint].name);
+  }
+  return names;
+}
+
+std::vector<std::string> namesOfMovingJoints(const Measurements& measurements) {
+  std::vector<std::string> names;
+  for (const std::size_t joint : measurements.joints) {
+    if (!isStill(joint, measurements)) {
+      names.push_back(measurements.robot.joints[joint].name);
+    }
   }
   return names;
 }

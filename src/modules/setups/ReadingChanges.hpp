@@ -11,6 +11,9 @@ namespace naocal {
 /// Names of the joints whose angles matter to these captures.
 std::vector<std::string> namesOfJoints(const Measurements& measurements);
 
+/// Those that move in these captures: a joint that stands still may be off by any angle, whatever the mistake.
+std::vector<std::string> namesOfMovingJoints(const Measurements& measurements);
+
 /// Ids of the trackers of all sets, each once.
 std::vector<std::string> trackerIds(const std::vector<CaptureSet>& sets);
 

@@ -11,7 +11,7 @@ SetUp reversedJoint() {
   return {.name = setUpName::reversedJoint,
           .description = "the joint turns the other way than the drawing says",
           .question = "Does {} turn to the positive side of its axis in the drawing when its angle grows?",
-          .listPlaces = namesOfJoints,
+          .listPlaces = namesOfMovingJoints,
           .listMendings = [](const Measurements&, const std::string& joint) {
             return std::vector<Mending>{{fmt::format("{}'s angles have the wrong sign", joint),
                                          [joint](Recording& recording) { scaleJoint(recording.sets, joint, -1); }}};

@@ -13,7 +13,7 @@ SetUp swappedJoints() {
           .question = "Are the angles of {} in the order of their names?",
           .listPlaces =
               [](const Measurements& measurements) {
-                const std::vector<std::string> names = namesOfJoints(measurements);
+                const std::vector<std::string> names = namesOfMovingJoints(measurements);
                 std::vector<std::string> pairs;
                 for (std::size_t one = 0; one < names.size(); ++one) {
                   for (std::size_t other = one + 1; other < names.size(); ++other) {
