@@ -44,6 +44,11 @@ inline constexpr double predictsTail = 0.001; // p-value of the misfit in that b
 // What captures tell of an offset [1 - posterior sigma / prior sigma]
 inline constexpr double learned = 0.5; // below it the prior tells more than the captures: not determined
 
+// Where averages over models hold [prior sigmas]
+inline constexpr double untold = 0.1; // information; below it a direction's standard error is more than 95 % of the
+                                      // prior's: only the prior holds it
+inline constexpr double farthest = 4; // a linear step that takes an unknown further is extrapolated: 1 in 16 000 are
+
 // Aliasing
 inline constexpr double related = 0.5; // correlation; below it neither candidate explains the other's misfit
 inline constexpr double power = 0.8;   // power at a plausible size; above it an undetected candidate is ruled out

@@ -1,6 +1,7 @@
 #include "calibration/result/Verdict.hpp"
 
 #include "calibration/Outliers.hpp"
+#include "calibration/Task.hpp"
 #include "calibration/Uncertainty.hpp"
 #include "calibration/result/Wording.hpp"
 #include "effects/Catalogue.hpp"
@@ -83,22 +84,31 @@ HeldOffsets findHeldOffsets(const Measurements& measurements, const Model& model
   return held;
 }
 
-/// Whether the model explains the captures, and if not, whether the offsets remain reliable.
+/// Whether the answer is precise enough with a cause missing: the task's bound is within its tolerance, or without a
+/// task half of every offset's 95 % interval within half a degree.
+bool isPreciseEnough(const Model& model, const CalibrationResult& result, const HeldOffsets& held) {
+  constexpr double widest = radians(0.5); // [rad]
+  if (result.task) {
+    return result.task->bound <= result.task->tolerance;
+  }
+  return std::all_of(model.terms().begin(), model.terms().end(), [&](const Term& term) {
+    if (term.effect.name != effectName::jointOffset || !term.requested || held.contains(term.first)) {
+      return true;
+    }
+    const auto [low, high] = result.estimates[term.first].interval();
+    return high - low < 2 * widest;
+  });
+}
+
+/// Whether the model explains the captures, and if not, whether the answer remains reliable.
 ResultVerdict judgeExplained(const Model& model, const CalibrationResult& result, const HeldOffsets& held,
                              bool missing) {
-  constexpr double widest = radians(0.5); // [rad]: limit of half an offset's 95 % interval
   const bool fits =
       result.misfitLeft < threshold::mostMisfit(result.misfitFreedom) || result.rmsPx < result.noiseFloorPx;
   if (!missing && fits && result.noise.pose < suspectScatter) {
     return ResultVerdict::good;
   }
-  bool holds = result.misfitLeft < threshold::bearableMisfit;
-  for (const Term& term : model.terms()) {
-    if (term.effect.name == effectName::jointOffset && term.requested && !held.contains(term.first)) {
-      const auto [low, high] = result.estimates[term.first].interval();
-      holds = holds && high - low < 2 * widest;
-    }
-  }
+  const bool holds = result.misfitLeft < threshold::bearableMisfit && isPreciseEnough(model, result, held);
   return holds ? ResultVerdict::causeMissing : ResultVerdict::doNotUse;
 }
 
@@ -203,6 +213,19 @@ void checkFloorError(CalibrationResult& result) {
   }
 }
 
+/// Warns of a bound beyond the tolerance. Such a result is unusable if the user gave that tolerance; else the bound
+/// only decides where a cause is missing (`judgeExplained`).
+void checkTask(bool isGiven, CalibrationResult& result) {
+  if (result.task && result.task->isGiven == isGiven && result.task->bound > result.task->tolerance) {
+    result.usable = result.usable && !isGiven;
+    warn(About::floor,
+         fmt::format(
+             "{}: the bound of the error, {:.2g} mm (99.95 %), is beyond the tolerance of {:.2g} mm: take more poses",
+             result.task->what, 1e3 * result.task->bound, 1e3 * result.task->tolerance),
+         result);
+  }
+}
+
 /// Warns of doubtful measurements of one kind: "corner", "reading".
 void warnOfDoubtful(std::size_t count, const char* kind, CalibrationResult& result) {
   if (count > 0) {
@@ -279,6 +302,7 @@ void judgeResult(const Measurements& measurements, const Model& model, Calibrati
   const HeldOffsets held = findHeldOffsets(measurements, model, result);
   checkOffsets(measurements, model, held, result);
   checkFloorError(result);
+  checkTask(true, result);
   const bool missing = (result.pValue <= threshold::alarm && result.matters) || !result.sharedCauses.empty();
   const DisplacedBoardCount displaced{measurements, result.outliers};
   // reports a missing effect first: it implies that the offsets are uncertain
@@ -289,6 +313,7 @@ void judgeResult(const Measurements& measurements, const Model& model, Calibrati
   result.usable = result.verdict != ResultVerdict::doNotUse;
   result.sentence = formatVerdict(result, displaced, formatCause(result, missing), firm);
   warnOfHeldOffsets(model, held, result);
+  checkTask(false, result);
   warnOfOutliers(result);
   warnOfSharedCause(result);
 }
