@@ -5,6 +5,7 @@
 #include "robot/Urdf.hpp"
 
 #include <Eigen/Geometry>
+#include <array>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <random>
@@ -30,6 +31,7 @@ struct ArmReadings {
   double gain = 0;     // of the encoder of "lift": an effect that the base model lacks
   double jump = 0;     // of the zero of "turn" in the middle of the captures [rad]; no smooth effect
   bool column = false; // "turn" is a slide, along which the arm moves up and down
+  std::array<double, 4> motion{1, 1, 1, 1}; // of each joint, relative to the usual
 };
 
 /// A capture set of an arm in a folder: readings of a tracker in another frame, touches of two places, and pictures of
@@ -83,8 +85,8 @@ inline void writeArmSet(const std::filesystem::path& folder, const ArmReadings& 
                       {"placement", {{"x", 0.02}, {"y", 0}, {"z", 0.05}, {"roll", 0}, {"pitch", 0}, {"yaw", 0}}}}};
   }
   for (int i = 0; i < 30; ++i) {
-    const Eigen::Vector4d read{1.5 * uniform(random), uniform(random), 0.15 + 0.1 * uniform(random),
-                               2 * uniform(random)};
+    Eigen::Vector4d read{1.5 * uniform(random), uniform(random), 0.1 * uniform(random), 2 * uniform(random)};
+    read = read.cwiseProduct(Eigen::Vector4d{holds.motion.data()}) + Eigen::Vector4d{0, 0, 0.15, 0};
     Eigen::Vector4d there = read - zeros;
     there[1] -= holds.gain * read[1];
     there[0] -= i >= 15 ? holds.jump : 0;

@@ -2,32 +2,39 @@
 
 #include "brain/CalibrationInputs.hpp"
 #include "brain/CalibrationScript.hpp"
+#include "calibration/result/Plausibility.hpp"
 #include "dialects/SavedCalibration.hpp"
+#include "effects/Catalogue.hpp"
 #include "io/Files.hpp"
 #include "io/InputError.hpp"
-#include "math/Angles.hpp"
 
-#include <cmath>
 #include <deque>
 #include <exception>
 #include <fmt/format.h>
+#include <map>
 #include <utility>
 
 namespace naocal {
 namespace {
 
-constexpr double maxRemainingError = 0.5;  // largest remaining share of the error; above it the calibration is not kept
-constexpr double mostOffset = radians(20); // [rad]; beyond it captures are refused as inconsistent; 11.5 deg have been
-                                           // observed
+constexpr double maxRemainingError = 0.5; // largest remaining share of the error; above it the calibration is not kept
 
-/// Throws InputError for implausible offsets, which indicate inconsistent captures.
-void requirePlausible(const std::vector<EffectiveOffset>& offsets) {
+/// Throws InputError for offsets and camera mounts that no robot has, which indicate inconsistent captures.
+void requirePlausible(const std::vector<EffectiveOffset>& offsets, const StoredResult& mounts) {
+  std::map<std::string, double> values;
   for (const EffectiveOffset& offset : offsets) {
-    if (!(std::abs(offset.value) <= mostOffset)) {
-      throw InputError{fmt::format("{} would be off by {:.0f} degrees, which no robot's is. Nothing was changed. Look "
-                                   "whether all boards are those of the configuration and lie still",
-                                   offset.joint, degrees(offset.value))};
+    values[fmt::format("{}@{}.o", effectName::jointOffset, offset.joint)] = offset.value;
+  }
+  for (const auto& [name, value] : mounts.values) {
+    if (name.starts_with(effectName::cameraRotation)) {
+      values[name] = value;
     }
+  }
+  const std::vector<std::string> reasons = listImplausible(values);
+  if (!reasons.empty()) {
+    throw InputError{fmt::format("{}. Nothing was changed. Look whether all boards are those of the configuration and "
+                                 "lie still",
+                                 reasons.front())};
   }
 }
 
@@ -123,7 +130,7 @@ void CalibrationJobs::solve(bool onlyHead) {
     if (abandoned != abandoned_) {
       return std::nullopt;
     }
-    requirePlausible(learnedOffsets(offsets));
+    requirePlausible(learnedOffsets(offsets), solved.result);
     applyCalibration(learnedOffsets(offsets), solved.result, context_.configuration);
     keysToPutBack_ = outcome.before;
     return AppliedCalibration{std::move(outcome)};

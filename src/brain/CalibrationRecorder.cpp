@@ -10,6 +10,7 @@
 #include "io/Folders.hpp"
 #include "io/GreyImage.hpp"
 #include "io/InputError.hpp"
+#include "setups/CheckedCalibration.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -49,13 +50,16 @@ CalibrationRecorder::Solution CalibrationRecorder::solve() const {
   const Measurements measurements = buildMeasurements(sets, drawing_);
   const auto [asked, leftOut] = reduceModel(measurements, model_);
   const Model model = buildModel(measurements, asked.with, asked.without, asked.effects);
-  const CalibrationResult result = calibrate(measurements, model);
+  const CalibrationResult result = calibrateChecked(measurements, model);
   const ResultSources inputs{{"."}, {sha256(readFile(folder_ / "captures.json"))}, {set_.name}}; // beside the result
   writeAtomically(folder_ / "result.json", resultJson({measurements, model, result}, inputs).dump(2) + "\n");
   if (!result.converged) {
     throw InputError{
         "the search for offsets and mounts did not converge. Nothing was changed. Look whether all boards are "
         "those of the configuration and lie still, and calibrate again"};
+  }
+  if (!result.setUps.empty()) {
+    throw InputError{result.sentence + " Nothing was changed."};
   }
   Solution solved{readResult(folder_ / "result.json"), effectiveOffsets({measurements, model, result}),
                   result.warnings};

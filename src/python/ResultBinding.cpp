@@ -9,6 +9,7 @@
 #include "estimation/ModelBuilder.hpp"
 #include "estimation/ModelFile.hpp"
 #include "io/FileKind.hpp"
+#include "setups/CheckedCalibration.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -82,7 +83,7 @@ SharedSolved solve(const std::shared_ptr<Captures>& captures, const py::kwargs& 
   Model model = readModel(given, captures->measurements);
   LongCall call{given.object("progress")};
   return call.run([&] {
-    CalibrationResult fit = calibrate(captures->measurements, model, options);
+    CalibrationResult fit = calibrateChecked(captures->measurements, model, options);
     return std::make_shared<Solved>(Solved{captures, std::move(model), std::move(fit)});
   });
 }
@@ -262,6 +263,9 @@ void bindFit(py::class_<Solved, SharedSolved>& result) {
       .def_property_readonly("converged", [](const Solved& self) { return self.fit.converged; })
       .def_property_readonly(
           "sentence", [](const Solved& self) { return self.fit.sentence; }, "The verdict in words.")
+      .def_property_readonly(
+          "set_ups", [](const Solved& self) { return labelsOf(self.fit.setUps); },
+          "Labels of mistakes of the set-up that explain the misfit, such as 'reversedJoint@elbow'.")
       .def_property_readonly("warnings", [](const Solved& self) { return toSentences(self.fit.warnings); })
       .def_property_readonly(
           "rms_px", [](const Solved& self) { return self.fit.rmsPx; },

@@ -75,7 +75,7 @@ DriverCurve curve(const std::string& place, const std::string& driver, const std
 void addCalibrationVerdicts(Sentences& all) {
   all.heading("verdicts of a calibration");
   CalibrationResult result;
-  result.rmsPx = 4.49;
+  result.rmsPx = result.rejected.presentPx = result.rejected.keptPx = 4.49;
   result.noiseFloorPx = 0.65;
   const DisplacedBoardCount none;
   DisplacedBoardCount one, some;
@@ -88,6 +88,11 @@ void addCalibrationVerdicts(Sentences& all) {
     all.add(toString(verdict) + ", one board moved", formatVerdict(result, one, cause, ""));
     all.add(toString(verdict) + ", three boards moved", formatVerdict(result, some, cause, ""));
   }
+  result.verdict = ResultVerdict::causeMissing;
+  result.rejected = {.corners = 12, .ofCorners = 7654, .presentPx = 4.49, .keptPx = 0.66};
+  all.add("cause-missing, corners rejected", formatVerdict(result, none, cause, ""));
+  all.add("cause-missing, corners rejected and boards moved", formatVerdict(result, some, cause, ""));
+  result.verdict = ResultVerdict::doNotUse;
   all.add("do-not-use, for a reason", formatVerdict(result, none, cause, "the search did not converge"));
 }
 

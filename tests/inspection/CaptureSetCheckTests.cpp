@@ -1,3 +1,4 @@
+#include "MeasuredArm.hpp"
 #include "TemporaryFolder.hpp"
 
 #include "data/CaptureSetFile.hpp"
@@ -124,6 +125,12 @@ TEST_CASE("every kind of problem is found by itself, with place and remedy") {
        [](json& set) {
          set["stances"].push_back({{"id", 77}, {"supportFoot", "left"}});
        }},
+      {"still-joints", 1, "1 joint never moved: LKneePitch;",
+       [&](json& set) {
+         for (json& capture : set["captures"]) {
+           capture["joints"]["measured"][knee] = 0.9;
+         }
+       }},
       {"missing-picture", 1, "images/none.png", [](json& set) { set["captures"][0]["image"] = "images/none.png"; }},
       {"not-usable", 1, "was not recorded",
        [&](json& set) {
@@ -208,4 +215,20 @@ TEST_CASE("problems are sorted by severity, and what is no capture set is refuse
   CHECK(check.problems[2].severity == Severity::remark);
   CHECK_THROWS_AS(checkOf(json{{"format", "naocal-result"}, {"version", 1}}), InputError);
   CHECK_THROWS_AS(checkCaptureSet("no-such-folder"), InputError);
+}
+
+TEST_CASE("what a calibration takes for granted about a set is told before it") {
+  // Proves it for readings of a tracker that are none, with their captures, and for directions of approach that the
+  // order of captures tells; both are said once.
+  const TemporaryFolder folder;
+  writeArmSet(folder.path(), {.frames = false, .contacts = false});
+  json set = json::parse(readFile(folder.path() / "captures.json"));
+  set["captures"][4]["points"][0]["xyz"] = set["captures"][9]["points"][0]["xyz"] = {0, 0, 0};
+  const CaptureSetCheck check = checkOf(set, folder);
+  INFO(sentences(check));
+  CHECK(count(check, "no-reading") == 1);
+  CHECK(count(check, "approach-from-order") == 1);
+  CHECK(
+      sentences(check).find("2 of 30 readings of ball by laser are exactly 0, 0, 0: taken as no reading and left out: "
+                            "captures 4, 9") != std::string::npos);
 }

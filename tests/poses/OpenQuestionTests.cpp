@@ -89,4 +89,33 @@ TEST_CASE("twins are asked first, then a curve's rival, then what captures hardl
   CHECK(ask().why.empty());
 }
 
+TEST_CASE("twins whose linearised evidence is worlds apart are still told by further poses") {
+  // Proves that the growth of their misfits is a number: the captures cannot tell a hysteresis from a gear's play,
+  // whose evidence, linearised at no play, is less by 1600, odds below all numbers. Also of questions with such odds.
+  Diagnosis diagnosis;
+  diagnosis.verdict = Verdict::effectMissing;
+  diagnosis.ranking = {finding("hysteresis", "LAnkleRoll", CandidateState::present, 1689),
+                       finding("gearPlay", "LAnkleRoll", CandidateState::aliased, 55)};
+  diagnosis.suggested = diagnosis.with = {"hysteresis@LAnkleRoll"};
+  diagnosis.ranking[0].equivalent = {"gearPlay@LAnkleRoll"};
+  ModelAmbiguity question = findAmbiguity(diagnosis, v6(), {});
+  REQUIRE(question.suspects.size() == 2);
+  CHECK(question.suspects[1].odds == Approx(1 / (1 + std::exp(3.0))));
+  question.suspects[0].odds = 1;
+  question.suspects[1].odds = 0;
+  const Discrimination discrimination{question, 0};
+  const double growth = discrimination.growthFactor(Eigen::Vector2d{1, 4}, Eigen::Vector2d{4, 16});
+  CHECK(growth == Approx(4).epsilon(0.01));
+  CHECK(discrimination.expectedGain(Eigen::Vector2d{1, 4}, Eigen::Vector2d{1, 4}) == 0);
+}
+
+TEST_CASE("a question without suspects has no growth and no odds") {
+  // Proves that empty lists lead to neutral numbers.
+  const ModelAmbiguity nothing;
+  const Discrimination discrimination{nothing, 0};
+  CHECK(discrimination.misfits(Eigen::MatrixXd(0, 0)).size() == 0);
+  CHECK(discrimination.growthFactor({}, {}) == 1);
+  CHECK(posteriorProbabilities({}).empty());
+}
+
 } // namespace naocal

@@ -55,6 +55,41 @@ TEST_CASE("numbered columns are the joints in the URDF's order, and large angles
   }
 }
 
+TEST_CASE("turns, forces and torques are no positions") {
+  // Proves it for axis-angle columns, wrenches and speeds beside a marker; and that tx, ty, tz alone are a translation.
+  const ColumnGuess all = guess("q1,q2,q3,hand_x,hand_y,hand_z,rx,ry,rz,Fx,Fy,Fz,Tx,Ty,Tz,vx,vy,vz,rot_x,rot_y,rot_z\n"
+                                "1,0,0,1,2,3,1,0,0,9,9,9,1,1,1,0,0,0,1,0,0\n");
+  REQUIRE(all.map.points.size() == 1);
+  CHECK(all.map.points[0].marker == "hand");
+  CHECK(all.unused.size() == 15);
+  CHECK(guess("q1,q2,q3,tx,ty,tz\n1,0,0,1,2,3\n").map.points.size() == 1);
+  const ColumnGuess wrench = guess("q1,q2,q3,m_x,m_y,m_z,Fx,Fy,Fz,Mx,My,Mz\n1,0,0,1,2,3,9,9,9,1,1,1\n");
+  REQUIRE(wrench.map.points.size() == 1);
+  CHECK(wrench.map.points[0].marker == "m");
+}
+
+TEST_CASE("a log of a real-time interface is read by its numbered names") {
+  // Proves measured joints beside targets and speeds, and the position in a pose of six numbers.
+  const ColumnGuess all =
+      guess("timestamp target_q_0 target_q_1 target_q_2 actual_q_0 actual_q_1 actual_q_2 actual_qd_0 "
+            "actual_TCP_pose_0 actual_TCP_pose_1 actual_TCP_pose_2 actual_TCP_pose_3 "
+            "actual_TCP_pose_4 actual_TCP_pose_5\n"
+            "0 1 2 0.1 1 2 0.1 0 0.4 0.5 0.6 1 2 3\n");
+  CHECK(all.map.joints.at("shoulder_lift").column == "actual_q_1");
+  REQUIRE(all.map.points.size() == 1);
+  CHECK(all.map.points[0].marker == "tcp_pose");
+  CHECK(all.map.points[0].columns[2] == "actual_TCP_pose_2");
+  CHECK(all.map.time == "timestamp");
+  CHECK(all.unused.size() == 7);
+}
+
+TEST_CASE("a name of two columns that are not needed is passed over") {
+  const ColumnGuess all = guess("q[0],q[1],q[2],x,y,z,q_d[0],q_d[0]\n1,0,0,1,2,3,5,6\n");
+  CHECK(all.map.joints.size() == 3);
+  CHECK(all.unused == std::vector<std::string>{"q_d[0]"});
+  CHECK_THROWS_WITH(guess("q1,q2,q3,q3,x,y,z\n1,0,0,0,1,2,3\n"), Catch::Contains("\"q3\", as it is used, found two"));
+}
+
 TEST_CASE("a column of picture names is found whatever it is called") {
   const ColumnGuess all = guess("A1,A2,A3,note,photo\n10,20,30,a.png too dark,\n10,20,30,,shots/b.JPG\n");
   CHECK(all.map.image == "photo");

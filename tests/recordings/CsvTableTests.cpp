@@ -22,6 +22,7 @@ TEST_CASE("a table is read as spreadsheets, scripts and numpy write it") {
       {"a\tb c\n1\t-2.5e-3\n3\t4\n", -2.5e-3},
       {"\"a\",\"b c\"\n\"1\",\" +2.5 \"\n3,4\n", 2.5},
       {"# a,b c\n1,2.5\n3,4\n", 2.5},
+      {"a\t\"b c\"\r\n1\t2.5\r\n3\t4\r\n", 2.5},
   };
   for (const Case& each : all) {
     CAPTURE(each.text);
@@ -35,6 +36,28 @@ TEST_CASE("a table is read as spreadsheets, scripts and numpy write it") {
   CHECK_FALSE(gaps.number(0, 0));
   CHECK_FALSE(gaps.number(0, 1));
   CHECK_FALSE(gaps.number(1, 1));
+}
+
+TEST_CASE("a table's cells may be separated by spaces") {
+  // Proves one or several spaces, at the ends of lines, too, decimal commas, and that spaces within the names of a
+  // table with another separator, or in a single column's, separate nothing.
+  for (const char* const text : {"t q_0 q_1\n0 1.5 2\n1 2.5 3\n", "  t   q_0 q_1 \r\n 0  1,5 2\r\n1 2,5   3 \r\n"}) {
+    const CsvTable table{text, "log.txt"};
+    CHECK(table.names() == std::vector<std::string>{"t", "q_0", "q_1"});
+    REQUIRE(table.rows() == 2);
+    CHECK(table.number(0, 1) == 1.5);
+    CHECK(table.number(1, 2) == 3);
+  }
+  CHECK(CsvTable{"joint 1\n0.5\n", "log.csv"}.names() == std::vector<std::string>{"joint 1"});
+  CHECK(CsvTable{"joint 1,joint 2\n0.5,0.6\n", "log.csv"}.names().size() == 2);
+}
+
+TEST_CASE("a name of two columns is refused only where it is used") {
+  const CsvTable table{"q,d,d\n1,2,3\n", "log.csv"};
+  CHECK(table.isUnique("q"));
+  CHECK_FALSE(table.isUnique("d"));
+  CHECK(table.column("q") == 0);
+  CHECK_THROWS_WITH(table.column("d"), Catch::Contains("row 1: expected one column \"d\", as it is used, found two"));
 }
 
 TEST_CASE("a table is in UTF-8 or else in ISO 8859-1") {
@@ -54,7 +77,6 @@ TEST_CASE("a table that is none is refused with row, expected and found") {
   const std::vector<Broken> all{
       {"", "expected a row of column names, found an empty file"},
       {"a,b\n", "expected readings below the row of names, found none"},
-      {"a,a\n1,2\n", "log.csv, row 1: expected a name for each column, found \"a\" twice"},
       {"a,,c\n1,2,3\n", "log.csv, row 1: expected a name for column 2, found none"},
       {"a,b\n1,2\n3\n", "log.csv, row 3: expected 2 cells, as there are columns, found 1"},
       {"a,b\n1,2,3\n", "log.csv, row 2: expected 2 cells, as there are columns, found 3"},

@@ -11,7 +11,9 @@
 #include <array>
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <random>
+#include <sstream>
 
 using namespace naocal;
 using namespace naocal::testing;
@@ -69,4 +71,38 @@ TEST_CASE("a table of an arm and a tracker tells the zero that is off") {
   CHECK(slide->effect.unknowns.front().unit == "m");
   REQUIRE(calibrated.result.readings.metres.contains("tracker"));
   CHECK(calibrated.result.readings.metres.at("tracker").rms == Approx(0.3e-3 * std::sqrt(3)).epsilon(0.2));
+}
+
+TEST_CASE("a table's readings that are none are left out, and named by their rows") {
+  // Proves it for positions at exactly 0, 0, 0, for empty cells, and for a value that stood still while the arm moved;
+  // the rows are counted as a spreadsheet does.
+  const ImportScene scene = armScene();
+  std::vector<std::string> lines;
+  std::istringstream log{logOfArm(scene.robot, 0)};
+  for (std::string line; std::getline(log, line);) {
+    lines.push_back(line);
+  }
+  const auto position = [&](std::size_t line) {
+    std::size_t at = lines[line].size();
+    for (int i = 0; i < 3; ++i) {
+      at = lines[line].rfind(',', at - 1);
+    }
+    return at;
+  };
+  const auto set = [&](std::size_t row, const std::string& xyz) {
+    lines[row - 1].replace(position(row - 1), 999, xyz);
+  };
+  set(7, ",0,0,0");
+  set(25, ",0.000,0.000,-0.0");
+  set(30, ",,nan,");
+  set(41, lines[39].substr(position(39)));
+  const CsvTable table{fmt::format("{}\n", fmt::join(lines, "\n")), "log.csv"};
+  const TableImport import = importTable(table, guessColumns(table, scene.robot).map, scene, ".");
+  CHECK(import.imported.set.captures.size() == 56);
+  const std::vector<std::string> told = summarize(import);
+  REQUIRE(told.size() == 4);
+  CHECK(told[1] == "1 rows passed over: no picture, no measured position (row 30)");
+  CHECK(told[2].starts_with("2 of 59 readings of hand by tracker are exactly 0, 0, 0"));
+  CHECK(told[2].ends_with("left out: rows 7, 25"));
+  CHECK(told[3].ends_with("left out: row 41"));
 }

@@ -79,7 +79,7 @@ TEST_CASE("a table's rows of one pose are repeats that were approached anew wher
   const auto rest = RepeatKind::rest, reapproach = RepeatKind::reapproach;
   using Repeats = std::vector<std::pair<int, RepeatKind>>;
   CHECK(repeats("q1,q2,q3,pose,hand_x_mm,hand_y_mm,hand_z_mm\n0.1,0,0,A" + where + "0.1,0,0,A" + where +
-                "0.1003,0,0,A" + where + "0.1003,0,0,A" + where + "0.2,0,0,B" + where + "0.1003,0,0,A" + where) ==
+                "0.1003,0,0,A" + where + "0.1003,0,0,A" + where + "0.2,0,0,B,900,0,500\n" + "0.1003,0,0,A" + where) ==
         Repeats{{0, rest}, {0, rest}, {1, reapproach}, {1, reapproach}, {0, rest}, {2, reapproach}});
   CHECK(repeats("q1,q2,q3,pose,trial,hand_x_mm,hand_y_mm,hand_z_mm\n0.1,0,0,A,0" + where + "0.1003,0,0,A,0" + where +
                 "0.1003,0,0,A,1" + where + "0.1,0,0,A,2" + where) ==

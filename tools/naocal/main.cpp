@@ -11,8 +11,8 @@ void complete(CLI::App& app, int& exitCode) {
   naocal::addDiagnose(app, exitCode);
   naocal::addEffects(app);
   naocal::addExplore(app);
-  naocal::addApply(app);
-  naocal::addExport(app);
+  naocal::addApply(app, exitCode);
+  naocal::addExport(app, exitCode);
   naocal::addHistory(app);
   naocal::addReplay(app, exitCode);
 }

@@ -1,5 +1,6 @@
 #include "calibration/Calibration.hpp"
 
+#include "calibration/BoardMoves.hpp"
 #include "calibration/Fit.hpp"
 #include "calibration/ModelAverage.hpp"
 #include "calibration/ModelUncertainty.hpp"
@@ -193,11 +194,18 @@ void fillExplanations(const MissingEffectAnalysis& explained, const ModelAverage
   result.scatter = explained.levels.scatter;
   result.pValue = explained.pValue;
   result.matters = explained.matters;
+  result.negligible = explained.negligible;
 }
 
+/// Measurements as given, at full weight, and as the likeliest explanation weighs them.
+struct WeighedMeasurements {
+  const Measurements &given, &used;
+};
+
 /// The result at the final noise levels and weights.
-CalibrationResult conclude(const Measurements& used, const Model& model, const CalibrationOptions& options,
-                           NoiseConsistentFit& answer) {
+CalibrationResult conclude(const WeighedMeasurements& measurements, const Model& model,
+                           const CalibrationOptions& options, NoiseConsistentFit& answer) {
+  const Measurements& used = measurements.used;
   answer.fit = fitAtFullWeight(used, model, answer);
   const std::optional<Model> wider = widenPriors(model, answer.fit);
   if (wider) {
@@ -216,6 +224,9 @@ CalibrationResult conclude(const Measurements& used, const Model& model, const C
   }
   fillTask({used, believed, result}, average ? &*average : nullptr, options.tolerance, result);
   result.sharedCauses = std::move(answer.causes);
+  if (options.robust && options.excludeDisplaced) {
+    estimateBoardMoves(measurements.given, believed, answer.fit, result);
+  }
   judgeResult(used, believed, result);
   return result;
 }
@@ -254,7 +265,7 @@ WeighedCalibration calibrateWeighing(const Measurements& measurements, const Mod
     answer = fitWithNoise(measurements, model, whole, fitInitially(measurements, model, options.noise, whole));
     answer.causes = std::move(causes);
   }
-  CalibrationResult result = conclude(weighed ? *weighed : measurements, model, options, answer);
+  CalibrationResult result = conclude({measurements, weighed ? *weighed : measurements}, model, options, answer);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return {std::move(result), std::move(weighed)};
 }

@@ -1,11 +1,13 @@
 #include "calibration/ModelUncertainty.hpp"
 
 #include "calibration/ReadingNoise.hpp"
+#include "calibration/result/Wording.hpp"
 #include "estimation/CandidateTerms.hpp"
 #include "estimation/Model.hpp"
 #include "estimation/ModelBuilder.hpp"
 #include "inference/DriverBasis.hpp"
 #include "inference/Evidence.hpp"
+#include "inference/Thresholds.hpp"
 #include "io/InputError.hpp"
 #include "math/LinearAlgebra.hpp"
 
@@ -121,6 +123,20 @@ std::string formatGroup(const WideModel& wide, std::size_t group) {
   return wide.jointName(cell.motor) + " over " + expressionName(wide.map().drivers[cell.driver], cell.motor);
 }
 
+/// The likeliest effect or curve, if it is beyond chance and does not matter.
+std::optional<NegligibleEffect> describeNegligible(const WideModel& wide, const Evidence& evidence) {
+  if (evidence.pValue > threshold::alarm || evidence.matters || !evidence.likeliest) {
+    return std::nullopt;
+  }
+  const std::size_t group = *evidence.likeliest;
+  const GroupEvidence& found = evidence.groups[group];
+  const bool isNamed = group < wide.candidates().size();
+  return NegligibleEffect{formatGroup(wide, group),
+                          isNamed ? formatSizes(wide.candidates()[group].effect, found.estimate, found.covariance)
+                                  : std::string{},
+                          found.movedPx};
+}
+
 /// Steps from fit to fit towards the likeliest explanation.
 class ExplanationSearch {
 public:
@@ -150,6 +166,7 @@ public:
   std::shared_ptr<const WideModel> wideAt(const Model& own, const std::vector<Term>& effects, const Fit& fit) const {
     return std::make_shared<const WideModel>(measurements_, own, putInFront(effects, candidates_), pointOf(fit), true);
   }
+
   /// One step: fits the effects of the window's likeliest explanation. Returns false if they equal those already fitted
   /// or the linear explanation is infeasible.
   bool extend(const WideModel& wide, const Model& own, MissingEffectAnalysis& explained) const {
@@ -304,6 +321,7 @@ void testCompleteness(const Measurements& measurements, const Model& model, cons
   const Evidence evidence = computeEvidence(wide.problem(), explained.levels.noise, options.draws, options.drawSeed);
   explained.pValue = evidence.pValue;
   explained.matters = evidence.matters;
+  explained.negligible = describeNegligible(wide, evidence);
 }
 
 } // namespace naocal

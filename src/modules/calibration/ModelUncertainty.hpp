@@ -29,10 +29,11 @@ struct MissingEffectAnalysis {
   Fit largerFit;             // fit of `larger`; equals `fit` without effects
   Model own;                 // the model without either: its unknowns are the window's own unknowns
   ModelWindow window;        // linearised at `largerFit`
-  std::shared_ptr<const WideModel> wide; // what `window` is a window of
-  std::vector<std::string> names;        // name of the effect or curve, per group of the window
-  double pValue = 1;                     // of the hypothesis that the model as given is complete (`Evidence`)
-  bool matters = false;                  // the missing effect moves corners by more than `threshold::negligiblePx`
+  std::shared_ptr<const WideModel> wide;      // what `window` is a window of
+  std::vector<std::string> names;             // name of the effect or curve, per group of the window
+  double pValue = 1;                          // of the hypothesis that the model as given is complete (`Evidence`)
+  bool matters = false;                       // the missing effect moves corners by more than `threshold::negligiblePx`
+  std::optional<NegligibleEffect> negligible; // the likeliest missing effect, if it does not
 
   /// Whether an effect is missing that is no deflection of a joint, while joints do not scatter to their limit.
   bool lacksMoreThanScatter() const;

@@ -159,14 +159,13 @@ double findMiddle(const std::function<double(double)>& deviance, double low, dou
   return 0.5 * (findEdge(deviance, least, low) + findEdge(deviance, least, high));
 }
 
-/// The largest noise that an instrument of this kind has [m] or [rad].
+} // namespace
+
 double mostNoiseOf(const ReadingLevel& level) {
   return level.unit == ReadingLevel::Unit::radians ? threshold::mostTurnNoise
          : level.name == contactLevel              ? threshold::mostContactNoise
                                                    : threshold::mostPointNoise;
 }
-
-} // namespace
 
 Noise estimateReadingNoise(const Measurements& all, const Model& model, const Fit& fit, Noise noise,
                            const std::vector<Effect>& effects) {

@@ -5,6 +5,9 @@
 
 namespace naocal {
 
+/// The largest noise that an instrument of this kind has [m] or [rad]: the upper end of what is estimated.
+double mostNoiseOf(const ReadingLevel& level);
+
 /// Estimates the noise levels of readings (`Measurements::levels`) that the sets do not give, one after the other, and
 /// the scatter from pose to pose along with them, by restricted likelihood: with V the covariance of all rows, H the
 /// information of all unknowns and g the gradient,

@@ -32,6 +32,42 @@ Estimate estimate(double value, const UncertainVariance& variance, double priorS
           .learned = std::max(0.0, 1 - sigma / priorSigma)};
 }
 
+/// Counts what the fit's loss rejects, and measures the errors of the rest, joint angles as read.
+void measureKept(const Residuals& residuals, const std::vector<WitnessResidual>& readings, CalibrationResult& result) {
+  const Measurements& measurements = residuals.measurements();
+  RejectedMeasurements& rejected = result.rejected;
+  std::vector<double> present, kept;
+  for (std::size_t i = 0; i < result.residuals.size(); ++i) {
+    const BoardResidual& fitted = result.residuals[i];
+    for (Eigen::Index corner = 0; corner < fitted.weight.size() && !isMostlyOutliers(fitted); ++corner) {
+      const double distance = result.withReportedAngles[i].residual.col(corner).norm();
+      const bool isRejected = fitted.weight[corner] < outlierWeight;
+      present.push_back(distance);
+      rejected.corners += isRejected ? 1 : 0;
+      if (!isRejected) {
+        kept.push_back(distance);
+      }
+    }
+  }
+  std::vector<WitnessResidual> keptReadings = readings;
+  std::erase_if(keptReadings, [&](const WitnessResidual& one) {
+    return std::any_of(result.doubtfulReadings.begin(), result.doubtfulReadings.end(),
+                       [&](const DoubtfulReading& doubtful) {
+                         return doubtful.picture == one.picture && doubtful.witness == one.witness;
+                       });
+  });
+  rejected.readings = readings.size() - keptReadings.size();
+  rejected.ofCorners = measurements.cornerCount;
+  rejected.ofReadings = readings.size();
+  rejected.keptReadings = summarizeReadings(measurements, keptReadings);
+  if (measurements.cornerCount == 0) {
+    present = scaledDistances(measurements, readings, residuals.noise());
+    kept = scaledDistances(measurements, keptReadings, residuals.noise());
+  }
+  rejected.presentPx = summarizeDistances(std::move(present)).rmsPx;
+  rejected.keptPx = summarizeDistances(std::move(kept)).rmsPx;
+}
+
 /// Distances of corners and errors of other readings: from the prediction at the joint angles as read, without
 /// deflections; and with the fit's deflections, at which those that disagree with the rest are listed.
 void measureDistances(const Residuals& residuals, const Fit& fit, CalibrationResult& result) {
@@ -52,6 +88,7 @@ void measureDistances(const Residuals& residuals, const Fit& fit, CalibrationRes
   result.residuals = residuals.boardResiduals(fit.minimum.state);
   result.outliers = findOutliers(measurements, result);
   result.doubtfulReadings = findDoubtfulReadings(residuals.witnessResiduals(fit.minimum.state));
+  measureKept(residuals, readings, result);
 }
 
 /// Requested physical unknowns.

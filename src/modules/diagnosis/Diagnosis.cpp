@@ -1,13 +1,13 @@
 #include "diagnosis/Diagnosis.hpp"
 
 #include "calibration/Outliers.hpp"
+#include "calibration/result/Assumptions.hpp"
 #include "diagnosis/CandidateJudgement.hpp"
 #include "diagnosis/DiagnosisFigures.hpp"
 #include "diagnosis/DiagnosisWording.hpp"
 #include "diagnosis/OwnEffect.hpp"
 #include "diagnosis/StepwiseSelection.hpp"
 #include "diagnosis/anomalies/DataChecks.hpp"
-#include "diagnosis/anomalies/SetUps.hpp"
 #include "diagnosis/views/DriverCurves.hpp"
 #include "estimation/CandidateTerms.hpp"
 #include "estimation/ModelBuilder.hpp"
@@ -41,9 +41,9 @@ bool isUnknown(const CandidateTests& candidateTests, std::optional<std::size_t> 
   return curve > 0 && curve - named > std::max(threshold::unnamed, named * named / threshold::unnamedGrowth);
 }
 
-/// Whether a named effect elsewhere has so much evidence (more than twice the field's) that the field may be its
-/// consequence, or moves corners so far that it is no consequence of the field. The field then waits until the effect
-/// is added.
+/// Whether a named effect has so much evidence (more than twice the field's) that the field may be its consequence, or
+/// one elsewhere moves corners so far that it is no consequence of the field. The field then waits until the effect is
+/// added: a lens that lacks several effects leaves a field that no single one of them explains.
 bool explains(const CandidateTests& candidateTests, std::optional<std::size_t> candidate, const ImageField& field) {
   if (!candidate) {
     return false;
@@ -52,8 +52,8 @@ bool explains(const CandidateTests& candidateTests, std::optional<std::size_t> c
   const PlaceKind of = field.of == ImageField::Of::camera ? PlaceKind::camera : PlaceKind::board;
   const bool samePlace = term.effect.placeKind == of && term.placeIndex == field.at;
   const GroupEvidence& evidence = candidateTests.candidateEvidence(*candidate);
-  return !samePlace &&
-         (evidence.bayes > 2 * field.fit.bayes || evidence.movedPx > threshold::fieldBias * field.fit.rmsPx);
+  return evidence.bayes > 2 * field.fit.bayes ||
+         (!samePlace && evidence.movedPx > threshold::fieldBias * field.fit.rmsPx);
 }
 
 /// The field, unless it is the weak remainder of a field already explained. `most`: largest evidence of all fields so
@@ -75,6 +75,10 @@ bool tellScatter(const Measurements& measurements, double scatter) {
 /// (lens distortion that the model lacks, detector bias).
 bool leavesMisfit(const CalibrationResult& fit) {
   return fit.misfit > threshold::mostMisfit(fit.misfitFreedom) && fit.rmsPx > fit.noiseFloorPx;
+}
+
+bool isSetUpWrong(const std::vector<DataAnomaly>& anomalies) {
+  return std::any_of(anomalies.begin(), anomalies.end(), [](const DataAnomaly& one) { return !one.setUp.empty(); });
 }
 
 /// What remained of the misfit: a named effect explains it, or only an unnamed curve does.
@@ -101,21 +105,29 @@ Verdict verdictOf(const Diagnosis& diagnosis, const CalibrationResult& last, con
              : Verdict::adequate;
 }
 
+/// Whether two anomalies concern the same capture, and the same board where both name one.
+bool areOfSameView(const DataAnomaly& one, const DataAnomaly& other) {
+  return one.capture == other.capture &&
+         (one.moved.empty() || other.moved.empty() || one.moved == other.moved || !one.capture);
+}
+
 /// Appends anomalies of captures without an earlier anomaly.
 void appendNewAnomalies(const std::vector<DataAnomaly>& further, std::vector<DataAnomaly>& suspicious) {
   const std::vector<DataAnomaly> before = suspicious;
   std::copy_if(further.begin(), further.end(), std::back_inserter(suspicious), [&](const DataAnomaly& one) {
     return std::none_of(before.begin(), before.end(),
-                        [&](const DataAnomaly& other) { return other.capture == one.capture; });
+                        [&](const DataAnomaly& other) { return areOfSameView(one, other); });
   });
 }
 
 /// Diagnosis of captures without a feasible fit.
-Diagnosis diagnoseUnfittable(const Measurements& measurements, const InputError& error) {
+Diagnosis diagnoseUnfittable(const Measurements& measurements, const Model& asked, const InputError& error) {
   Diagnosis result;
   result.verdict = Verdict::badCaptures;
-  const auto setUp = findSetupError(measurements, {}, [](std::size_t) { return true; });
-  result.anomalies.push_back(setUp.value_or(DataAnomaly{{}, error.what()}));
+  result.anomalies = findGrossAnomalies(measurements, asked);
+  if (result.anomalies.empty()) {
+    result.anomalies.push_back(DataAnomaly{{}, error.what()});
+  }
   result.sentence = summarize(result);
   return result;
 }
@@ -224,10 +236,18 @@ private:
     result_.unexplained = last_.alarm && !last_.next && !last_.unknown() && !missing;
     result_.scatter = selection_.fit().noise.pose;
     result_.unit = errorUnitOf(measurements_, selection_.fit().noise);
-    const std::vector<DataAnomaly> slipped = findSlippedCounts({measurements_, asked_, result_.fit});
+    const std::vector<DataAnomaly> slipped =
+        isSetUpWrong(result_.anomalies) ? std::vector<DataAnomaly>{} : findSlips({measurements_, asked_, result_.fit});
     result_.anomalies.insert(result_.anomalies.begin(), slipped.begin(), slipped.end());
     result_.verdict = verdictOf(result_, selection_.fit(), {missing, last_.unknown()}, measurements_);
     result_.with = selection_.added();
+    std::vector<Term> named = selection_.model().terms();
+    for (const CandidateFinding& finding : result_.ranking) {
+      if (finding.state == CandidateState::present || finding.state == CandidateState::aliased) {
+        named.push_back(finding.term);
+      }
+    }
+    result_.notes = describeAssumptions(measurements_, named);
   }
 
   void rankCandidates() {
@@ -271,22 +291,60 @@ bool isSpoiled(const DataAnomaly& suspicion) {
   return suspicion.capture && suspicion.odds;
 }
 
-/// Removes the corners and readings of these captures.
+/// Removes a picture's corners and readings.
+void excludeCapture(std::size_t index, Measurements& measurements) {
+  for (std::size_t observation = 0; observation < measurements.pictures[index].observations.size(); ++observation) {
+    excludeObservation(measurements, {index, observation});
+  }
+  excludeReadings(measurements, index);
+}
+
+/// Removes the corners and readings of these captures, or of the board that was displaced in them.
 Measurements excludeSuspicious(const std::vector<DataAnomaly>& suspicious, Measurements measurements) {
   for (std::size_t index = 0; index < measurements.pictures.size(); ++index) {
     const ImageObservation& picture = measurements.pictures[index];
     const int id = measurements.captureOf(picture).id;
-    const bool spoiled = std::any_of(suspicious.begin(), suspicious.end(), [&](const DataAnomaly& suspicion) {
-      return isSpoiled(suspicion) && suspicion.capture == id && suspicion.set == picture.set;
-    });
-    for (std::size_t observation = 0; spoiled && observation < picture.observations.size(); ++observation) {
-      excludeObservation(measurements, {index, observation});
-    }
-    if (spoiled) {
-      excludeReadings(measurements, index);
+    for (const DataAnomaly& suspicion : suspicious) {
+      if (!isSpoiled(suspicion) || suspicion.capture != id || suspicion.set != picture.set) {
+        continue;
+      }
+      if (suspicion.moved.empty()) {
+        excludeCapture(index, measurements);
+      }
+      for (std::size_t observation = 0; observation < picture.observations.size(); ++observation) {
+        const std::size_t board = picture.observations[observation].view.board();
+        if (suspicion.moved == measurements.targets[board].name) {
+          excludeObservation(measurements, {index, observation});
+        }
+      }
     }
   }
   return measurements;
+}
+
+/// Without pictures of which the order of captures tells no direction of approach, for the effects of a diagnosis that
+/// depend on it: each is off by as much as these effects can move it. Absent if there are none.
+std::optional<Measurements> excludeUnknownApproaches(const Diagnosis& diagnosis, const Measurements& measurements) {
+  std::vector<Eigen::Index> joints;
+  for (const CandidateFinding& finding : diagnosis.ranking) {
+    const auto& with = diagnosis.with;
+    if (reliesOnOrder(measurements, finding.term) &&
+        std::find(with.begin(), with.end(), finding.term.label()) != with.end()) {
+      joints.push_back(static_cast<Eigen::Index>(finding.term.placeIndex));
+    }
+  }
+  std::optional<Measurements> kept;
+  for (std::size_t index = 0; index < measurements.pictures.size(); ++index) {
+    const ImageObservation& picture = measurements.pictures[index];
+    const bool isUnknown = std::any_of(joints.begin(), joints.end(), [&](Eigen::Index joint) {
+      return picture.instant.approach[joint] == 0 && measurements.captureOf(picture).joints.approach.empty();
+    });
+    if (isUnknown) {
+      kept = kept ? std::move(kept) : measurements;
+      excludeCapture(index, *kept);
+    }
+  }
+  return kept;
 }
 
 /// Copies each candidate's evidence against the model as given from `all`, the diagnosis of all captures, into `left`,
@@ -304,10 +362,14 @@ void copyLoneEvidence(const std::vector<CandidateFinding>& all, std::vector<Cand
 }
 
 /// Repeats the diagnosis without captures spoiled by an accident, to find other missing effects.
-Diagnosis diagnoseWithoutSpoiled(const Measurements& measurements, const Model& asked,
-                                 const DiagnosisOptions& options) {
+Diagnosis diagnoseWithoutSpoiled(const Measurements& given, const Model& asked, const DiagnosisOptions& options) {
   constexpr int most = 4; // accidents
-  Diagnosis result = diagnoseModel(measurements, asked, options);
+  Diagnosis result = diagnoseModel(given, asked, options);
+  const std::optional<Measurements> withKnownApproach = excludeUnknownApproaches(result, given);
+  if (withKnownApproach) {
+    result = diagnoseModel(*withKnownApproach, asked, options);
+  }
+  const Measurements& measurements = withKnownApproach ? *withKnownApproach : given;
   std::ptrdiff_t known = 0; // suspicions
   for (int round = 0; options.extend && round < most; ++round) {
     if (std::none_of(result.anomalies.begin() + known, result.anomalies.end(), isSpoiled)) {
@@ -372,7 +434,7 @@ Diagnosis diagnose(const Measurements& measurements, const DiagnosisOptions& opt
     if (measurements.cornerCount == 0) {
       throw;
     }
-    result = diagnoseUnfittable(measurements, error);
+    result = diagnoseUnfittable(measurements, asked, error);
   }
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return result;

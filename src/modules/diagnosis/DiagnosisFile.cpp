@@ -6,6 +6,7 @@
 #include "diagnosis/OwnEffect.hpp"
 #include "io/FileVersion.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -120,11 +121,23 @@ Json anomalyJson(const DataAnomaly& anomaly) {
   if (anomaly.odds) {
     entry["odds"] = *anomaly.odds;
   }
+  for (const EventValue& value : anomaly.values) {
+    entry["values"].push_back({{"unknown", value.unknown},
+                               {"value", value.value},
+                               {"sigma", value.sigma > 0 ? Json(value.sigma) : Json(nullptr)},
+                               {"interval", value.sigma > 0 ? Json({value.low, value.high}) : Json(nullptr)},
+                               {"unit", value.unit}});
+  }
   if (anomaly.when) {
     entry["time"] = anomaly.when->time;
     entry["between"] = {anomaly.when->since, anomaly.when->until};
   }
   return entry;
+}
+
+Json setUpJson(const DataAnomaly& anomaly) {
+  return {
+      {"setUp", anomaly.setUp}, {"why", anomaly.why}, {"question", anomaly.question}, {"odds", number(anomaly.odds)}};
 }
 
 /// Errors of the captures that a model was fitted to, joint angles as read, in each kind's own unit.
@@ -165,15 +178,18 @@ Json diagnosisJson(const Diagnosis& diagnosis, std::size_t mostPoints) {
                   {"seconds", diagnosis.seconds}});
   result["ranking"] = listJson<CandidateFinding>(
       diagnosis.ranking, [&](const CandidateFinding& finding) { return rankingEntry(finding, diagnosis, mostPoints); });
-  for (const DataAnomaly& anomaly : diagnosis.anomalies) {
-    if (!anomaly.setUp.empty()) { // stands first
-      const std::size_t at = anomaly.setUp.find('@');
-      result["ranking"].insert(result["ranking"].begin(), Json{{"effect", anomaly.setUp.substr(0, at)},
-                                                               {"at", anomaly.setUp.substr(at + 1)},
-                                                               {"unknowns", Json::object()},
-                                                               {"state", "present"},
-                                                               {"equivalent", Json::array()},
-                                                               {"why", anomaly.why}});
+  result["setUps"] = Json::array();
+  for (auto anomaly = diagnosis.anomalies.rbegin(); anomaly != diagnosis.anomalies.rend(); ++anomaly) {
+    if (!anomaly->setUp.empty()) { // stand first
+      const std::size_t at = std::min(anomaly->setUp.find('@'), anomaly->setUp.size());
+      result["setUps"].insert(result["setUps"].begin(), setUpJson(*anomaly));
+      result["ranking"].insert(result["ranking"].begin(),
+                               Json{{"effect", anomaly->setUp.substr(0, at)},
+                                    {"at", anomaly->setUp.substr(std::min(at + 1, anomaly->setUp.size()))},
+                                    {"unknowns", Json::object()},
+                                    {"state", "present"},
+                                    {"equivalent", Json::array()},
+                                    {"why", anomaly->why}});
     }
   }
   if (diagnosis.unit.perPx != 1) {
@@ -189,6 +205,7 @@ Json diagnosisJson(const Diagnosis& diagnosis, std::size_t mostPoints) {
   result["drivers"] = listJson<DriverCurve>(diagnosis.driverCurves, driverJson);
   result["map"] = listJson<DriverScore>(diagnosis.driverScores, scoreJson);
   result["suspicious"] = listJson<DataAnomaly>(diagnosis.anomalies, anomalyJson);
+  result["notes"] = diagnosis.notes;
   addFiguresJson(diagnosis, mostPoints, result);
   return result;
 }

@@ -62,12 +62,15 @@ struct CandidateFinding {
 struct DataAnomaly {
   std::optional<int> capture; // id of the capture, if one is concerned
   std::string why;
-  std::size_t set = 0;             // set of the capture
-  std::optional<double> odds = {}; // odds (x to 1) against the best effect or curve, where compared
-  std::optional<Moment> when = {}; // moment of an event between two captures
-  std::string setUp = {};          // a wrong set-up that can be mended: "reversedJoint@LElbowRoll"
-  std::string moved = {};          // id of the board, tracker, camera or stance that moved
-  std::optional<int> from = {};    // id of the first capture after that
+  std::size_t set = 0;                 // set of the capture
+  std::optional<double> odds = {};     // odds (x to 1) against the best effect or curve, where compared
+  std::optional<Moment> when = {};     // moment of an event between two captures
+  std::string setUp = {};              // a wrong set-up, which can be mended: "reversedJoint@LElbowRoll"
+  std::string question = {};           // about the set-up, to ask a person
+  std::string moved = {};              // id of the board, tracker, camera or stance that moved; with `capture`, of the
+                                       // board that was displaced in it
+  std::optional<int> from = {};        // id of the first capture after that
+  std::vector<EventValue> values = {}; // estimates, where the size of an event was estimated
 };
 
 /// One step of the selection: the model with one more effect.
@@ -104,6 +107,7 @@ struct Diagnosis {
   std::vector<DriverCurve> driverCurves; // for the last model, best first
   std::vector<DriverScore> driverScores; // for the last model
   std::vector<DataAnomaly> anomalies;
+  std::vector<std::string> notes; // what was taken for granted about the captures (`describeAssumptions`)
   Figures figures;
   CalibrationResult fit;         // of the model as given
   CalibrationResult lastFit;     // of the last model: with all suggested catalogue effects

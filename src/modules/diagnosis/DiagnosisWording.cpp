@@ -1,5 +1,6 @@
 #include "diagnosis/DiagnosisWording.hpp"
 
+#include "calibration/result/Wording.hpp"
 #include "inference/Thresholds.hpp"
 #include "io/Units.hpp"
 #include "math/Angles.hpp"
@@ -62,10 +63,7 @@ std::string formatTrivial(const Diagnosis& diagnosis) {
     return {};
   }
   const CandidateFinding& first = diagnosis.ranking.front();
-  return fmt::format(" {} is hardly chance ({}), but it changes the predictions by only {:.2g} {}: too little to "
-                     "matter.",
-                     first.term.label(), formatSizes(first), diagnosis.unit.perPx * first.evidence.movedPx,
-                     diagnosis.unit.name);
+  return " " + formatNegligible({first.term.label(), formatSizes(first), first.evidence.movedPx}, diagnosis.unit);
 }
 
 std::string formatAdequate(const Diagnosis& diagnosis) {
@@ -98,6 +96,22 @@ std::pair<std::string, std::string> formatPlaceAndAmplitude(const DriverCurve& c
           formatAmplitude(curve)};
 }
 
+/// What the catalogue explains of a misfit that has an unknown part, too.
+std::string formatNamed(const Diagnosis& diagnosis, const std::vector<std::string>& named) {
+  if (named.empty()) {
+    return "An unknown effect: no effect in the catalogue explains the misfit.";
+  }
+  const SelectionStep &before = diagnosis.steps.front(),
+                      &after = *std::prev(diagnosis.steps.end(), diagnosis.own ? 2 : 1);
+  const std::string fall = before.heldOutPx && after.heldOutPx
+                               ? fmt::format(" (the held-out error falls from {:.2f} to {:.2f} {})",
+                                             diagnosis.unit.perPx * *before.heldOutPx,
+                                             diagnosis.unit.perPx * *after.heldOutPx, diagnosis.unit.name)
+                               : "";
+  return fmt::format("{} {} missing{}, and an unknown effect beside: no effect in the catalogue explains the rest.",
+                     fmt::join(named, " and "), named.size() > 1 ? "are" : "is", fall);
+}
+
 std::string formatUnknown(const Diagnosis& diagnosis) {
   const DriverCurve& curve = diagnosis.driverCurves.front();
   const auto [where, howFar] = formatPlaceAndAmplitude(curve);
@@ -109,12 +123,20 @@ std::string formatUnknown(const Diagnosis& diagnosis) {
                       diagnosis.own->label, diagnosis.unit.perPx * *std::prev(diagnosis.steps.end(), 2)->heldOutPx,
                       diagnosis.unit.perPx * *diagnosis.own->step.heldOutPx, diagnosis.unit.name);
   }
-  return fmt::format("unknown effect: no effect in the catalogue explains the misfit. It sits at {} and varies with {} "
-                     "({}), by about {}{}.{}{}",
-                     where, curve.driver, curve.what, howFar,
-                     curve.expression.empty() ? "" : "; like " + curve.expression,
-                     named.empty() ? "" : fmt::format(" It remains after adding {}.", fmt::join(named, ", ")),
+  return fmt::format("{} It sits at {} and varies with {} ({}), by about {}{}.{}", formatNamed(diagnosis, named), where,
+                     curve.driver, curve.what, howFar, curve.expression.empty() ? "" : "; like " + curve.expression,
                      own.empty() ? "" : " " + own);
+}
+
+/// What is wrong with the set-up; else the first accident, and how many more.
+std::string formatAnomalies(const std::vector<DataAnomaly>& anomalies) {
+  std::string setUps;
+  for (const DataAnomaly& anomaly : anomalies) {
+    setUps += anomaly.setUp.empty() ? "" : (setUps.empty() ? "" : "; and ") + anomaly.why;
+  }
+  return !setUps.empty()        ? setUps
+         : anomalies.size() > 1 ? fmt::format("{}; and {} more", anomalies.front().why, anomalies.size() - 1)
+                                : anomalies.front().why;
 }
 
 } // namespace
@@ -184,14 +206,22 @@ CandidateState shownState(const CandidateFinding& finding, const Diagnosis& diag
   return areSeveral && isPresent(finding) ? CandidateState::aliased : finding.state;
 }
 
+std::vector<std::string> mendableSetUps(const Diagnosis& diagnosis) {
+  std::vector<std::string> labels;
+  for (const DataAnomaly& anomaly : diagnosis.anomalies) {
+    if (!anomaly.setUp.empty()) {
+      labels.push_back(anomaly.setUp);
+    }
+  }
+  return labels;
+}
+
 std::string summarizeUnfitted(const Diagnosis& diagnosis) {
-  const auto mendable = std::find_if(diagnosis.anomalies.begin(), diagnosis.anomalies.end(),
-                                     [](const DataAnomaly& anomaly) { return !anomaly.setUp.empty(); });
-  return mendable == diagnosis.anomalies.end()
-             ? diagnosis.sentence
-             : fmt::format("{} These captures cannot be fitted as they are: mend them with 'naocal solve SET --with {} "
-                           "-o result.json'.",
-                           diagnosis.sentence, mendable->setUp);
+  const std::vector<std::string> setUps = mendableSetUps(diagnosis);
+  return setUps.empty() ? diagnosis.sentence
+                        : fmt::format("{} These captures cannot be fitted as they are: mend them with 'naocal solve "
+                                      "SET --with {} -o result.json'.",
+                                      diagnosis.sentence, fmt::join(setUps, ","));
 }
 
 std::string formatAmplitude(const DriverCurve& curve) {
@@ -202,25 +232,11 @@ std::string formatAmplitude(const DriverCurve& curve) {
 bool isTold(const CandidateFinding& finding, std::size_t unknown) {
   const auto row = static_cast<Eigen::Index>(unknown);
   return finding.evidence.estimate.size() > row &&
-         std::sqrt(finding.evidence.covariance(row, row)) <
-             threshold::undetermined * finding.term.effect.unknowns[unknown].sigma;
+         isTold(finding.term.effect.unknowns[unknown], finding.evidence.covariance(row, row));
 }
 
 std::string formatSizes(const CandidateFinding& finding) {
-  std::vector<std::string> parts;
-  for (std::size_t i = 0; i < finding.term.effect.unknowns.size(); ++i) {
-    const Unknown& unknown = finding.term.effect.unknowns[i];
-    const auto row = static_cast<Eigen::Index>(i);
-    const double value = finding.evidence.estimate[row], sigma = std::sqrt(finding.evidence.covariance(row, row));
-    if (!isTold(finding, i)) {
-      parts.push_back(unknown.name + " undetermined");
-      continue;
-    }
-    const auto [unit, scale] = displayUnit(unknown.unit);
-    parts.push_back(
-        appendUnit(fmt::format("{} = {}", unknown.name, formatEstimate(scale * value, scale * sigma)), unit));
-  }
-  return fmt::format("{}", fmt::join(parts, ", "));
+  return formatSizes(finding.term.effect, finding.evidence.estimate, finding.evidence.covariance);
 }
 
 std::string formatDetectable(const CandidateFinding& finding) {
@@ -237,11 +253,10 @@ std::string summarize(const Diagnosis& diagnosis) {
   switch (diagnosis.verdict) {
   case Verdict::badCaptures:
     return fmt::format(
-        "Something is wrong with the captures or the set-up: {}{}.{}", diagnosis.anomalies.front().why,
-        diagnosis.anomalies.size() > 1 ? fmt::format("; and {} more", diagnosis.anomalies.size() - 1) : "",
+        "Something is wrong with the captures or the set-up: {}.{}", formatAnomalies(diagnosis.anomalies),
         diagnosis.suggested.empty() ? "" : fmt::format(" Also missing: {}.", fmt::join(diagnosis.suggested, ", ")));
   case Verdict::unknownEffect:
-    return "An " + formatUnknown(diagnosis);
+    return formatUnknown(diagnosis);
   case Verdict::effectMissing:
     return formatMissing(diagnosis);
   case Verdict::scatter:

@@ -3,6 +3,7 @@
 #include "diagnosis/Diagnosis.hpp"
 
 #include <string>
+#include <vector>
 
 namespace naocal {
 
@@ -16,6 +17,9 @@ std::string describeState(CandidateState state);
 /// The state to show. Candidates of a diagnosis that added nothing were tested one by one: if several explain the
 /// misfit, none is needed for certain, and each could explain it.
 CandidateState shownState(const CandidateFinding& finding, const Diagnosis& diagnosis);
+
+/// Labels of the mistakes of the set-up that it found.
+std::vector<std::string> mendableSetUps(const Diagnosis& diagnosis);
 
 /// The diagnosis as one or two sentences.
 std::string summarize(const Diagnosis& diagnosis);

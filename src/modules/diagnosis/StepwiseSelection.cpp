@@ -3,7 +3,6 @@
 #include "calibration/Fit.hpp"
 #include "calibration/ModelUncertainty.hpp"
 #include "diagnosis/CandidateJudgement.hpp"
-#include "diagnosis/anomalies/SetUps.hpp"
 #include "diagnosis/evidence/Aliasing.hpp"
 #include "diagnosis/evidence/Power.hpp"
 #include "estimation/CandidateTerms.hpp"

@@ -51,7 +51,8 @@ std::vector<double> valuesAt(const std::vector<Bent>& bent, const DriverSeries& 
 
 /// All shapes that a motor's deflection may follow over one driver.
 std::vector<DriverBasis> allShapes(const DriverSeries& driver, std::size_t motor, const std::set<double>& distinct) {
-  constexpr Eigen::Index degree = 4;
+  constexpr Eigen::Index most = 4;
+  const Eigen::Index degree = driver.kind == Driver::approach ? 1 : most; // 0: unknown, and no third direction
   std::vector<DriverBasis> result{polynomialBasis(distinct, degree)};
   if (driver.kind == Driver::angle && driver.joint == motor) {
     const std::vector<DriverBasis> waves = rippleBases();

@@ -217,6 +217,7 @@ Evidence computeEvidence(const ScoreProblem& problem, const Noise& noise, Eigen:
   measureLikeliest(tests, problem.named, result.groups); // a curve
   if (const auto likeliest = measureLikeliest(tests, 0, result.groups)) {
     result.matters = anyMatters(scored, result.groups, *likeliest);
+    result.likeliest = result.groups[*likeliest].bayes > 0 ? likeliest : std::nullopt;
   }
   result.information = tests.information();
   if (draws == 0) {

@@ -4,6 +4,7 @@
 #include "inference/Thresholds.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace naocal {
@@ -30,7 +31,8 @@ struct Evidence {
   double pValue = 1;                 // family-wise: probability that pure noise shows a candidate at least as striking
   Eigen::MatrixXd information;       // projected information of the candidate effects' unknowns
   bool matters = false;              // whether a significant group exceeds `negligiblePx`, or no group is likely
-  double criticalP = 0;              // p-value of a single candidate at which the family-wise alarm rate is 5 %
+  std::optional<std::size_t> likeliest; // group with the largest Bayes factor, if that is above zero
+  double criticalP = 0;                 // p-value of a single candidate at which the family-wise alarm rate is 5 %
 };
 
 /// Prior scale of coefficients in units of `plausible`, with its prior probability.

@@ -49,6 +49,11 @@ inline constexpr double untold = 0.1; // information; below it a direction's sta
                                       // prior's: only the prior holds it
 inline constexpr double farthest = 4; // a linear step that takes an unknown further is extrapolated: 1 in 16 000 are
 
+// Values beyond what any robot is wrong by
+inline constexpr double farthestTurn = 0.262; // [rad], 15 degrees; worn and fallen NAOs' offsets reach 11.5
+inline constexpr double farthestSlide = 0.1;  // [m], of the zero of a slide
+inline constexpr double farthestSigmas = 5;   // and, of a mount's turn, prior sigmas: a set may say that it is unknown
+
 // Aliasing
 inline constexpr double related = 0.5; // correlation; below it neither candidate explains the other's misfit
 inline constexpr double power = 0.8;   // power at a plausible size; above it an undetected candidate is ruled out
@@ -86,14 +91,19 @@ inline constexpr double mostTurnNoise = 0.0175;   // [rad]
 inline constexpr double mostContactNoise = 0.001; // [m]
 
 // Grossly wrong set-ups [px]
-inline constexpr double impossiblePx = 25;   // distance from its prediction that no physics of a walking robot explains
-inline constexpr double grossPx = 3;         // rms above which alternative set-ups are tried
-inline constexpr double grossMetres = 0.01;  // the same for the estimated noise of readings [m], which hides misfit: no
-inline constexpr double grossRadians = 0.02; // tracker or touch is so noisy; of orientations [rad]
-inline constexpr double absurdPx = 100;      // rms that neither physics nor an event explains
+inline constexpr double impossiblePx = 25; // distance from its prediction that no physics of a walking robot explains
+inline constexpr double absurdPx = 100;    // rms that neither physics nor an event explains
 inline constexpr double soundPx =
     5; // rms that a correct set may have with unmodelled physics; corrections must leave less
 inline constexpr double correctionShare =
     0.4; // remaining share of the misfit; a correction that leaves less is reported
+
+// Errors beyond what any robot is wrong by, and beyond what noise explains
+inline constexpr double impossibleMetres = 0.05; // rms error of readings [m]: `impossiblePx` at the 560 px focal length
+                                                 // of a NAO, seen from a metre away
+inline constexpr double impossibleRadians = 0.045; // the same as an angle, of orientations and directions [rad]
+inline constexpr double impossibleNoises = 20; // and in units of a noise that is given: the instrument may be coarse
+inline constexpr double unexplainedNoises = 3; // rms error in noise floors, above which it is not noise
+inline constexpr double fewRejected = 0.01;    // share of measurements that accidents of a detector may spoil
 
 } // namespace naocal::threshold

@@ -6,12 +6,14 @@
 #include "io/GreyImage.hpp"
 #include "io/InputError.hpp"
 #include "math/Angles.hpp"
+#include "measurements/JointMotion.hpp"
 #include "measurements/Measurements.hpp"
 #include "robot/RobotOfSet.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -310,6 +312,39 @@ void addCounts(Check& check, std::size_t poses) {
   }
 }
 
+/// What a calibration takes for granted: readings that are none, and directions that were not recorded.
+void addAssumptions(Check& check, const Measurements& measurements) {
+  for (const FailedReadings& failed : measurements.failedReadings.front()) {
+    check.add(Severity::doubtful, "no-reading", "captures",
+              describeFailedReadings(failed, measurements.sets->front()) + "; remove them, or measure again");
+  }
+  if (measurements.approachesFromOrder > 0) {
+    check.add(Severity::remark, "approach-from-order", "captures",
+              fmt::format("{} of {} record no direction of approach; it is taken from the order of captures, as if the "
+                          "robot went from each pose straight to the next",
+                          measurements.approachesFromOrder, measurements.pictures.size()));
+  }
+}
+
+/// Joints between what measures and what is measured that keep their angle in all captures.
+void addStillJoints(Check& check, const Measurements& measurements) {
+  std::vector<std::string> names;
+  for (const std::size_t joint : measurements.joints) {
+    if (isStill(joint, measurements)) {
+      names.push_back(measurements.robot.joints[joint].name);
+    }
+  }
+  if (!names.empty() && measurements.poses.size() > 1) {
+    const bool single = names.size() == 1;
+    check.add(
+        Severity::doubtful, "still-joints", "captures[*].joints.measured",
+        fmt::format("{} joint{} never moved: {}; without motion no offset can be learned: add poses that move {}, "
+                    "or leave {} out",
+                    names.size(), single ? "" : "s", fmt::join(names, ", "), single ? "it" : "them",
+                    single ? "its offset" : "their offsets"));
+  }
+}
+
 /// What a calibration refuses in a set that can be read; corners that are not detected yet are reported elsewhere.
 void addCalibrationRefusal(Check& check, const Robot& robot) {
   CaptureSet ready = check.set();
@@ -318,7 +353,9 @@ void addCalibrationRefusal(Check& check, const Robot& robot) {
     return;
   }
   try {
-    buildMeasurements({std::move(ready)}, robot);
+    const Measurements measurements = buildMeasurements({std::move(ready)}, robot);
+    addAssumptions(check, measurements);
+    addStillJoints(check, measurements);
   } catch (const InputError& error) {
     check.problems.push_back({Severity::refused, "not-usable", error.what()});
   }

@@ -2,7 +2,7 @@
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
-set(folders math io data robot camera effects measurements estimation inference calibration diagnosis library)
+set(folders math io data robot camera effects measurements estimation inference calibration setups diagnosis library)
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/naocal)
 foreach(folder IN LISTS folders)
   set_target_properties(naocal_${folder} PROPERTIES EXPORT_NAME ${folder})

@@ -6,6 +6,7 @@
 #include "io/Files.hpp"
 #include "io/InputError.hpp"
 #include "robot/RobotOfSet.hpp"
+#include "setups/CheckedCalibration.hpp"
 
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -33,7 +34,7 @@ Captures readCaptures(const std::vector<std::filesystem::path>& folders, const s
 Calibrated calibrate(const Captures& captures, const std::vector<std::string>& effects,
                      const CalibrationOptions& options) {
   Model model = buildModel(captures.measurements, effects);
-  CalibrationResult result = calibrate(captures.measurements, model, options);
+  CalibrationResult result = calibrateChecked(captures.measurements, model, options);
   return {std::move(model), std::move(result)};
 }
 

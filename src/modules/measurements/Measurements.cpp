@@ -1,6 +1,7 @@
 #include "measurements/Measurements.hpp"
 
 #include "io/InputError.hpp"
+#include "measurements/ApproachOrder.hpp"
 #include "measurements/CaptureReading.hpp"
 #include "measurements/FrameRegistry.hpp"
 #include "measurements/InitialPlacements.hpp"
@@ -130,6 +131,10 @@ Measurements buildMeasurements(std::vector<CaptureSet> given, const Robot& robot
   refuseOtherRobots(given);
   const FrameRegistry places{given, robot, samePlace};
   Measurements result;
+  for (CaptureSet& set : given) {
+    result.failedReadings.push_back(findFailedReadings(set, robot));
+    removeFailedReadings(result.failedReadings.back(), set);
+  }
   result.sets = std::make_shared<const std::vector<CaptureSet>>(std::move(given));
   const std::vector<CaptureSet>& sets = *result.sets;
   result.robot = robot;
@@ -164,6 +169,7 @@ Measurements buildMeasurements(std::vector<CaptureSet> given, const Robot& robot
     addWitnesses(result, places);
   }
   groupByPose(result);
+  deriveApproaches(result);
   return result;
 }
 

@@ -3,6 +3,7 @@
 #include "camera/ObservationChain.hpp"
 #include "data/Capture.hpp"
 #include "effects/Effect.hpp"
+#include "measurements/FailedReadings.hpp"
 #include "measurements/Instruments.hpp"
 #include "measurements/Noise.hpp"
 #include "measurements/Witness.hpp"
@@ -85,7 +86,7 @@ struct PoseGroup {
 /// All measurements, in an order independent of the order of captures and the number of threads, so that results are
 /// bitwise reproducible.
 struct Measurements {
-  std::shared_ptr<const std::vector<CaptureSet>> sets; // as recorded
+  std::shared_ptr<const std::vector<CaptureSet>> sets; // as recorded, without `failedReadings`
   Robot robot;
   StateLayout quantities{0, 0, 0};
   std::vector<Target> targets;
@@ -98,8 +99,10 @@ struct Measurements {
   std::vector<std::size_t> recordedMotors; // motors whose angle is recorded in every capture, ascending
   std::vector<double> jitter; // per joint of the robot: encoder jitter at rest [rad]; 0: readings never differ
   std::size_t cornerCount = 0, witnessCount = 0;
-  bool hasRepeats = false; // a pose was captured more than once
-  bool samePlace = false;  // boards and stances of equal id are the same in all sets
+  bool hasRepeats = false;             // a pose was captured more than once
+  std::size_t approachesFromOrder = 0; // pictures with directions of approach that the order of captures tells
+  std::vector<std::vector<FailedReadings>> failedReadings; // of trackers, per set: left out
+  bool samePlace = false;                                  // boards and stances of equal id are the same in all sets
 
   /// Whether a camera stands beside the robot at an unknown place.
   bool isCameraUnknown(std::size_t camera) const;
@@ -123,7 +126,9 @@ double sigmaOf(const Measurements& measurements, const Noise& noise, std::size_t
 std::vector<std::size_t> posesOfPictures(const Measurements& measurements);
 
 /// Builds the measurements from sets of one robot. `samePlace` merges boards and stances of equal id across sets.
-/// Throws InputError for captures that do not fit the robot (unknown link, required joint not recorded, other robot).
+/// Leaves out readings of trackers that are none, and takes directions of approach from the order of captures where
+/// none were recorded. Throws InputError for captures that do not fit the robot (unknown link, required joint not
+/// recorded, other robot).
 Measurements buildMeasurements(std::vector<CaptureSet> sets, const Robot& robot, bool samePlace = false);
 
 /// Joints between the picture's camera and its targets, and between the soles if both are on the floor, ascending.

@@ -271,6 +271,10 @@ std::vector<std::size_t> observedMotors(const Measurements& measurements) {
 
 } // namespace
 
+Eigen::ArrayXd restTolerance(const Measurements& measurements) {
+  return toleranceFor(measurements.jitter, encoderSteps(measurements));
+}
+
 void groupByPose(Measurements& measurements) {
   sortPictures(measurements);
   const std::vector<std::vector<Rest>> rests = groupReadings(measurements);

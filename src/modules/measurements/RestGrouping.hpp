@@ -9,4 +9,8 @@ namespace naocal {
 /// `hasRepeats` and the observations' `repeats`; adds floor contact where both feet stand.
 void groupByPose(Measurements& measurements);
 
+/// Largest difference between readings of one rest, per joint [rad], [m]: 1.5 encoder steps plus what jitter exceeds
+/// once in a million readings. Beyond it the robot moved. Requires `jitter`.
+Eigen::ArrayXd restTolerance(const Measurements& measurements);
+
 } // namespace naocal

@@ -105,6 +105,9 @@ json diagnosisData(const JsonCursor& diagnosis) {
   for (const JsonCursor& entry : diagnosis.at("suspicious").elements()) {
     data["suspicious"].push_back(suspicionJson(entry));
   }
+  for (const JsonCursor& note : elementsOf(diagnosis, "notes")) {
+    data["suspicious"].push_back(note.text());
+  }
   const auto next = diagnosis.find("next");
   if (next && !next->value().is_null() && next->at("why").value() != "") { // otherwise nothing is open
     data["next"] = {{"poses", next->at("poses").elements().size()}, {"why", next->at("why").text()}};

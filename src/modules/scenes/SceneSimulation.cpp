@@ -1,11 +1,11 @@
 #include "scenes/SceneSimulation.hpp"
 
-#include "diagnosis/anomalies/SetUps.hpp"
 #include "io/InputError.hpp"
 #include "math/LinearAlgebra.hpp"
 #include "measurements/Noise.hpp"
 #include "scenes/TouchPoses.hpp"
 #include "scenes/TrueRobot.hpp"
+#include "setups/Catalogue.hpp"
 #include "simulation/Simulation.hpp"
 
 #include <algorithm>
@@ -34,8 +34,8 @@ public:
     JointReadings readings;
     for (const std::string& name : scene_.set.jointNames) {
       const Eigen::Index joint = eigenIndex(*robot.jointIndex(name));
-      const double sign = hasFlaw(reversedJoint + name) ? -1 : 1;
-      const double slip = hasFlaw(countSlip + name) ? scene_.set.slipSteps.at(name) : 0;
+      const double sign = hasFlaw(reversedJoint().labelAt(name)) ? -1 : 1;
+      const double slip = hasFlaw(countSlip().labelAt(name)) ? scene_.set.slipSteps.at(name) : 0;
       const double shown = sign * (recorded[joint] + encoders_.normal(scene_.noise.encoder)) + slip;
       const double step = stepOf(name);
       readings.measured.push_back(step > 0 ? step * std::round(shown / step) : shown);

@@ -1,12 +1,13 @@
 #include "scenes/TrueRobot.hpp"
 
-#include "diagnosis/anomalies/SetUps.hpp"
 #include "estimation/DriverState.hpp"
 #include "io/InputError.hpp"
 #include "math/LinearAlgebra.hpp"
 #include "robot/RobotOfSet.hpp"
 #include "scenes/ScenePictures.hpp"
 #include "scenes/ScenePlacement.hpp"
+#include "setups/Catalogue.hpp"
+#include "setups/Mending.hpp"
 #include "simulation/SyntheticCamera.hpp"
 
 #include <algorithm>
@@ -239,7 +240,7 @@ std::vector<TrueEffect> TrueRobot::listEffects() const {
     if (isSetUp(flaw)) {
       const std::size_t split = flaw.find('@');
       result.push_back({flaw.substr(0, split), flaw.substr(split + 1), {}});
-      if (flaw.starts_with(countSlip)) {
+      if (flaw.starts_with(setUpName::countSlip)) {
         result.back().unknowns.push_back({"n", 1, "1"});
       }
     }
@@ -290,12 +291,15 @@ std::string TrueRobot::nameOfRobot() const {
 }
 
 void TrueRobot::requireSetUp(const std::string& flaw) const {
-  const std::string joint = flaw.substr(flaw.find('@') + 1);
+  const std::string kind = flaw.substr(0, flaw.find('@')), joint = flaw.substr(flaw.find('@') + 1);
+  if (kind != setUpName::reversedJoint && kind != setUpName::countSlip) {
+    throw InputError{fmt::format("expected an effect, reversedJoint@J or countSlip@J to hide, found '{}'", flaw)};
+  }
   if (std::find(set_.jointNames.begin(), set_.jointNames.end(), joint) == set_.jointNames.end()) {
     throw InputError{fmt::format("'{}' names no joint of the robot; near it are {}", flaw,
                                  fmt::join(closestNames(joint, set_.jointNames), ", "))};
   }
-  if (flaw.starts_with(countSlip) && !set_.slipSteps.contains(joint)) {
+  if (kind == setUpName::countSlip && !set_.slipSteps.contains(joint)) {
     throw InputError{fmt::format("'{}' needs the motor's turn at the joint: expected slipSteps.{} in the scene, found "
                                  "none",
                                  flaw, joint)};

@@ -6,7 +6,6 @@
 #include "diagnosis/DiagnosisFile.hpp"
 #include "diagnosis/DiagnosisWording.hpp"
 #include "diagnosis/Session.hpp"
-#include "diagnosis/anomalies/SetUps.hpp"
 #include "effects/UserEffect.hpp"
 #include "estimation/CandidateTerms.hpp"
 #include "estimation/ModelBuilder.hpp"
@@ -18,10 +17,13 @@
 #include "report/ReportPage.hpp"
 #include "robot/LegKinematics.hpp"
 #include "scenes/SceneNextPoses.hpp"
+#include "setups/CheckedCalibration.hpp"
+#include "setups/Mending.hpp"
 
 #include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -56,13 +58,11 @@ ModelRevision initialRevision(const Dataset& opened, const Measurements& measure
 /// Calibrates. Where no fit is possible, throws InputError with the set-up error that a diagnosis suspects, if any.
 CalibrationResult calibrateOrSuspect(const Measurements& measurements, const Model& model) {
   try {
-    return calibrate(measurements, model);
-  } catch (const InputError&) {
-    const Diagnosis suspicion = diagnose(measurements, {});
-    if (suspicion.anomalies.empty() || suspicion.anomalies.front().setUp.empty()) {
-      throw;
-    }
-    throw InputError{summarizeUnfitted(suspicion) + " Then open that result here."};
+    return calibrateChecked(measurements, model);
+  } catch (const WrongSetUpError& error) {
+    throw InputError{fmt::format("{} These captures cannot be fitted as they are: mend them with 'naocal solve SET "
+                                 "--with {} -o result.json'. Then open that result here.",
+                                 error.what(), fmt::join(labelsOf(error.setUps), ","))};
   }
 }
 
@@ -271,8 +271,9 @@ void AnalysisSession::compareWith(const Dataset& others) {
   const StoredResult stored = parseResult(result_, "result.json");
   std::vector<CaptureSet> sets = others.sets;
   std::vector<std::string> setUps = mended_.setUps;
-  mendSetUps(setUps, opened_.robot, sets);
-  Json told = comparisonJson(compare(stored, sets, opened_.robot, false));
+  Robot robot = opened_.robot;
+  mendSetUps(setUps, robot, sets);
+  Json told = comparisonJson(compare(stored, sets, robot, false));
   told["kinds"] = comparedKindsData(JsonCursor{told, "the comparison"});
   told["names"] = others.inputs.sets;
   tell_("compared", told);

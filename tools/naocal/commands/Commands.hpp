@@ -16,8 +16,8 @@ void addDiagnose(CLI::App& app, int& exitCode);
 void addExplore(CLI::App& app);
 void addPoses(CLI::App& app);
 void addReport(CLI::App& app);
-void addApply(CLI::App& app);
-void addExport(CLI::App& app);
+void addApply(CLI::App& app, int& exitCode);
+void addExport(CLI::App& app, int& exitCode);
 void addImport(CLI::App& app);
 void addRecordingImports(CLI::App& importer); // of `import`
 void addBoard(CLI::App& app);

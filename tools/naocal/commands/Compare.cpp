@@ -6,7 +6,7 @@
 
 #include "calibration/Prediction.hpp"
 #include "command-line/OptionChecks.hpp"
-#include "diagnosis/anomalies/SetUps.hpp"
+#include "setups/Mending.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>

@@ -9,11 +9,11 @@
 #include "diagnosis/DiagnosisFile.hpp"
 #include "diagnosis/FoldErrors.hpp"
 #include "diagnosis/OwnEffect.hpp"
-#include "diagnosis/anomalies/SetUps.hpp"
 #include "estimation/ModelFile.hpp"
 #include "io/InputError.hpp"
 #include "poses/PoseFile.hpp"
 #include "scenes/SceneNextPoses.hpp"
+#include "setups/Mending.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -108,6 +108,7 @@ Diagnosis withProgress(const Measurements& measurements, DiagnosisOptions option
 }
 
 int diagnose(DiagnoseCommand& command) {
+  command.options.with = joinLabels(command.options.with);
   const GivenOptions asIs{command.sets,  command.options.with, command.options.without,
                           command.model, command.samePlace,    command.skipBad};
   LoadedSets given = loadSets(command.sets, command.skipBad);

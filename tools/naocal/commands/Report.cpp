@@ -3,11 +3,11 @@
 #include "console/OutputFiles.hpp"
 #include "console/print/PrintText.hpp"
 
-#include "calibration/Calibration.hpp"
 #include "calibration/result/ResultFile.hpp"
 #include "command-line/OptionChecks.hpp"
 #include "estimation/ModelBuilder.hpp"
 #include "report/ReportPage.hpp"
+#include "setups/CheckedCalibration.hpp"
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
@@ -37,7 +37,7 @@ nlohmann::json solveSet(const std::string& folder) {
   LoadedSets given = loadSets({folder}, false);
   const Measurements measurements = buildMeasurements(std::move(given.sets), given.robot);
   const Model model = buildModel(measurements);
-  const CalibrationResult result = calibrate(measurements, model);
+  const CalibrationResult result = calibrateChecked(measurements, model);
   return resultJson({measurements, model, result}, given.inputs);
 }
 

@@ -4,14 +4,16 @@
 #include "console/print/PrintCalibration.hpp"
 #include "console/print/PrintText.hpp"
 
-#include "calibration/Calibration.hpp"
+#include "calibration/result/Verdict.hpp"
 #include "command-line/OptionChecks.hpp"
-#include "diagnosis/anomalies/SetUps.hpp"
 #include "dialects/ModelCalibration.hpp"
 #include "estimation/ModelBuilder.hpp"
 #include "estimation/ModelFile.hpp"
+#include "io/FileVersion.hpp"
 #include "io/Files.hpp"
 #include "io/JsonReader.hpp"
+#include "setups/CheckedCalibration.hpp"
+#include "setups/Mending.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
@@ -52,7 +54,31 @@ SearchStart readStart(const std::string& file, const Measurements& measurements,
                  measurements, model);
 }
 
+/// Says how to mend mistakes of the set-up.
+void printMending(const std::vector<WrongSetUp>& setUps, const GivenOptions& asIs) {
+  for (const WrongSetUp& setUp : setUps) {
+    printText("ask: {}\n", setUp.question);
+  }
+  printText("mend it:  naocal solve {} -o result.json\n", asIs.commandLine(labelsOf(setUps)));
+}
+
+/// The result of captures that cannot be fitted as they are: what is wrong with them, and no estimates.
+nlohmann::json unfittedJson(const WrongSetUpError& error, const ResultSources& inputs) {
+  return withFormat("naocal-result", {{"converged", false},
+                                      {"verdict", toString(ResultVerdict::doNotUse)},
+                                      {"usable", false},
+                                      {"sentence", error.what()},
+                                      {"setUps", setUpsJson(error.setUps)},
+                                      {"warnings", nlohmann::json::array()},
+                                      {"effects", nlohmann::json::array()},
+                                      {"placements", nlohmann::json::object()},
+                                      {"inputs", toJson(inputs)}});
+}
+
 int solve(SolveCommand& command) {
+  const GivenOptions asIs{command.sets,  command.with,      command.without,
+                          command.model, command.samePlace, command.skipBad};
+  command.with = joinLabels(command.with);
   command.options.estimateNoise = !command.fixedNoise;
   command.options.robust = !command.plain;
   const bool isQuiet = command.json == "-" || command.output == "-"; // standard output is the result
@@ -69,14 +95,30 @@ int solve(SolveCommand& command) {
                 start.unused.empty() ? "" : "; not in this model: ", fmt::join(start.unused, ", "));
     }
   }
-  const CalibrationResult result = calibrate(measurements, model, command.options);
-  for (const std::string& file : {command.output, command.json}) {
-    if (!file.empty()) {
-      writeJson(resultJson({measurements, model, result}, given.inputs.placedBeside(file)), file);
+  const auto write = [&](const auto& documentFrom) {
+    for (const std::string& file : {command.output, command.json}) {
+      if (!file.empty()) {
+        writeJson(documentFrom(given.inputs.placedBeside(file)), file);
+      }
     }
+  };
+  CalibrationResult result;
+  try {
+    result = calibrateChecked(measurements, model, command.options);
+  } catch (const WrongSetUpError& error) {
+    write([&](const ResultSources& inputs) { return unfittedJson(error, inputs); });
+    if (!isQuiet) {
+      printText("{} These captures cannot be fitted as they are.\n", error.what());
+      printMending(error.setUps, asIs);
+    }
+    return 3;
   }
+  write([&](const ResultSources& inputs) { return resultJson({measurements, model, result}, inputs); });
   if (!isQuiet) {
     printCalibration({measurements, model, result});
+    if (!result.setUps.empty()) {
+      printMending(result.setUps, asIs);
+    }
     if (!command.output.empty()) {
       printText("written to {}\n", command.output);
     }

@@ -2,7 +2,9 @@
 
 #include "console/print/PrintText.hpp"
 
+#include "calibration/result/Plausibility.hpp"
 #include "data/CaptureSetFile.hpp"
+#include "dialects/ModelCalibration.hpp"
 #include "effects/Catalogue.hpp"
 #include "io/Files.hpp"
 #include "io/InputError.hpp"
@@ -69,9 +71,10 @@ Found readFound(const std::string& file, const PostureOptions& options) {
   std::vector<std::string> folders = options.sets;
   if (document.is_object() && document.value("format", nlohmann::json{}) == "naocal-calibration") {
     found.calibration = parseCalibration(document, file);
+    requireNoReasons(file, listImplausible(valuesFromCalibration(found.calibration, {})), options.force);
   } else {
     const StoredResult result = parseResult(document, file);
-    requireUsable(result, file);
+    requireNoReasons(file, listReasonsAgainstUse(result), options.force);
     found = fromTerms(result);
     folders = findCaptureFolders(result, file, options);
   }

@@ -4,6 +4,7 @@
 #include "console/print/PrintText.hpp"
 
 #include "calibration/Prediction.hpp"
+#include "calibration/result/Plausibility.hpp"
 #include "command-line/OptionChecks.hpp"
 #include "data/CaptureSetFile.hpp"
 #include "data/SetSearch.hpp"
@@ -54,11 +55,24 @@ bool isLearned(const StoredResult& result, const std::string& unknown) {
   return found == result.learned.end() || isLearned({.learned = found->second});
 }
 
-void requireUsable(const StoredResult& result, const std::string& file) {
-  if (!result.usable) {
-    throw InputError{fmt::format("{}: expected a result that can be used, found one with the verdict do-not-use: {} "
-                                 "Nothing was written; calibrate again",
-                                 file, result.sentence)};
+void requireNoReasons(const std::string& file, const std::vector<std::string>& reasons, bool force) {
+  if (!reasons.empty() && !force) {
+    throw RefusedCalibration{file, reasons};
+  }
+  for (const std::string& reason : reasons) {
+    printText(stderr, "{}: written by force: {}\n", file, reason);
+  }
+}
+
+int writeUnlessRefused(const std::function<void()>& write) {
+  try {
+    write();
+    return 0;
+  } catch (const RefusedCalibration& refused) {
+    for (const std::string& reason : refused.reasons) {
+      printText(stderr, "{}: not written: {}\n", refused.file, reason);
+    }
+    return 3;
   }
 }
 
@@ -116,7 +130,7 @@ void evaluate(const std::vector<CaptureSet>& sets, const PostureOptions& options
 LoadedCalibration fromResult(const nlohmann::json& document, const std::string& file, const PostureOptions& options) {
   LoadedCalibration loaded;
   loaded.result = parseResult(document, file);
-  requireUsable(loaded.result, file);
+  requireNoReasons(file, listReasonsAgainstUse(loaded.result), options.force);
   loaded.robot = loadRobot(configurationDirectory(), loaded.result.robot);
   loaded.folders = findCaptureFolders(loaded.result, file, options);
   const std::vector<CaptureSet> sets = readSets(loaded.folders);
@@ -164,6 +178,8 @@ void addPostureOptions(CLI::App& command, PostureOptions& options) {
       ->type_name("FOLDER")
       ->group(expertOptions);
   addLookIn(command, options.lookIn);
+  command.add_flag("--force", options.force,
+                   "write although the result should not be used, or has values that no robot has");
 }
 
 LoadedCalibration loadCalibration(const std::string& file, const PostureOptions& options) {
@@ -175,6 +191,7 @@ LoadedCalibration loadCalibration(const std::string& file, const PostureOptions&
       throw InputError{fmt::format("{}: expected the calibration of a NAO, found one of another robot ({})", file,
                                    loaded.calibration.robot)};
     }
+    requireNoReasons(file, listImplausible(valuesFromCalibration(loaded.calibration, {})), options.force);
     loaded.robot = loadRobot(configurationDirectory(), "V6");
     return loaded;
   }

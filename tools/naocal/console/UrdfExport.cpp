@@ -2,6 +2,7 @@
 
 #include "console/print/PrintText.hpp"
 
+#include "calibration/result/Plausibility.hpp"
 #include "data/CaptureSetFile.hpp"
 #include "dialects/UrdfCorrection.hpp"
 #include "inference/Thresholds.hpp"
@@ -71,7 +72,7 @@ CaptureSet readSetOf(const std::string& resultFile, const StoredResult& result, 
 void exportUrdf(const std::string& resultFile, const PostureOptions& options, const std::filesystem::path& folder) {
   const nlohmann::json document = parseJson(readFile(resultFile), resultFile);
   const StoredResult result = parseResult(document, resultFile);
-  requireUsable(result, resultFile);
+  requireNoReasons(resultFile, listReasonsAgainstUse(result), options.force);
   const CaptureSet set = readSetOf(resultFile, result, options);
   const std::filesystem::path drawing = set.folder / set.urdf;
   const std::string text = readUrdf(drawing);

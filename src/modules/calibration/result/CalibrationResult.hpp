@@ -7,6 +7,7 @@
 #include "math/LevenbergMarquardt.hpp"
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <functional>
@@ -91,12 +92,20 @@ struct WeakDirection {
   std::string sentence;
 };
 
+/// Displacement of a board in one picture against its place in all others, in the coordinates of its placement.
+struct BoardMove {
+  Eigen::VectorXd values, sigmas; // on the floor x, y [m], yaw [rad]; else x, y, z [m], roll, pitch, yaw [rad]
+
+  double distance() const { return values.head(values.size() == 3 ? 2 : 3).norm(); } // [m]
+};
+
 /// A corner or a whole observation that disagrees with the rest. Outliers are kept and always listed.
 struct Outlier {
   std::size_t picture = 0, observation = 0;
-  std::vector<int> corners; // corner ids; all ids of the observation if `whole`
-  bool whole = false;       // most of the observation disagrees: the board or robot was moved
-  double distance = 0;      // rms residual of the outlying corners [px]
+  std::vector<int> corners;           // corner ids; all ids of the observation if `whole`
+  bool whole = false;                 // most of the observation disagrees: the board or robot was moved
+  double distance = 0;                // rms residual of the outlying corners [px]
+  std::optional<BoardMove> move = {}; // if `whole`, and if that its board was displaced explains the observation
 };
 
 /// A reading other than corners that disagrees with the rest. Kept with little or no weight, and always listed.
@@ -111,11 +120,39 @@ struct SharedCause {
   double p = 1;       // probability that accidents share anything as strongly
 };
 
+/// Measurements that the fit's loss rejects (`outlierWeight`), and the errors that the others leave.
+struct RejectedMeasurements {
+  std::size_t corners = 0, ofCorners = 0;   // on boards that lie where the others put them; of all corners
+  std::size_t readings = 0, ofReadings = 0; // other than corners
+  double presentPx = 0;                     // rms distance without displaced boards; as `CalibrationResult::rmsPx`
+  double keptPx = 0;                        // the same without the rejected measurements
+  ReadingErrors keptReadings;               // of the other readings
+
+  /// Share of all measurements.
+  double share() const {
+    return static_cast<double>(corners + readings) / std::max(1.0, static_cast<double>(ofCorners + ofReadings));
+  }
+};
+
+/// An effect or curve beyond chance that hardly changes what is predicted.
+struct NegligibleEffect {
+  std::string label, sizes; // "rollingShutter@top", "t = 0.3 ± 0.1 ms"; no sizes of a curve
+  double movedPx = 0;       // rms displacement of predicted corners [px]
+};
+
 /// A reason for caution, with advice.
 struct Warning {
   enum class About { fit, offset, floor };
   About about;
   std::string sentence;
+};
+
+/// A mistake in how the captures were set up (setups/Catalogue.hpp).
+struct WrongSetUp {
+  std::string label;    // "reversedJoint@elbow"
+  std::string why;      // a clause: "elbow's angles have the wrong sign (so corrected the error is 0.4 px)"
+  std::string question; // to ask a person
+  double odds = 0;      // x to 1 against the best other explanation
 };
 
 /// Overall quality of a result.
@@ -143,8 +180,9 @@ struct Undetectable {
 struct CalibrationResult {
   bool converged = false;
   ResultVerdict verdict = ResultVerdict::good;
-  bool usable = false;  // verdict is not `doNotUse`
-  std::string sentence; // the verdict as a sentence, identical on all surfaces
+  bool usable = false;              // verdict is not `doNotUse`
+  std::string sentence;             // the verdict as a sentence, identical on all surfaces
+  std::vector<std::string> reasons; // why it must not be used, most serious first; empty if usable
   std::vector<Warning> warnings;
   Eigen::VectorXd unknowns;
   std::vector<Estimate> estimates; // one per unknown
@@ -167,10 +205,14 @@ struct CalibrationResult {
   double misfitLeft = 1;                 // the same for the likeliest explanation
   double scatter = 0;                    // decrease of -2 ln likelihood from zero to the estimated pose noise
   std::vector<Explanation> explanations; // by decreasing weight; weights above 0.01
+  std::vector<WrongSetUp> setUps;        // that explain the misfit; those were not mended
+  /// What is beyond chance, if it does not matter.
+  std::optional<NegligibleEffect> negligible;
   std::vector<WeakDirection> weak;
   std::vector<Outlier> outliers;
   std::vector<DoubtfulReading> doubtfulReadings;
   std::vector<SharedCause> sharedCauses; // of measurements that lie far from the likeliest explanation
+  RejectedMeasurements rejected;
   double floorErrorAt2m = 0; // 1-sigma error of a floor point 2 m ahead [m] at `misfit`; 0 without floor boards
   std::optional<Task> task;
   std::optional<Undetectable> undetectable;

@@ -1,5 +1,6 @@
 #include "calibration/result/ResultFile.hpp"
 
+#include "calibration/BoardMoves.hpp"
 #include "calibration/Calibration.hpp"
 #include "calibration/KnownEffects.hpp"
 #include "calibration/ReadingRecords.hpp"
@@ -33,6 +34,17 @@ json pointsJson(const Eigen::Matrix2Xd& points) {
   return list;
 }
 
+/// Distance [m], and each number of the displacement with its sigma.
+json boardMoveJson(const BoardMove& move) {
+  json numbers = json::object();
+  const std::vector<Unknown> unknowns = boardMoveUnknowns(move.values.size() == 3);
+  for (std::size_t i = 0; i < unknowns.size(); ++i) {
+    const auto at = static_cast<Eigen::Index>(i);
+    numbers[unknowns[i].name] = {{"value", move.values[at]}, {"sigma", move.sigmas[at]}, {"unit", unknowns[i].unit}};
+  }
+  return {{"metres", move.distance()}, {"unknowns", std::move(numbers)}};
+}
+
 /// Outliers: set, capture, board, corners and distance [px]; set, capture and what was measured of other readings.
 json outliersJson(const Measurements& measurements, const CalibrationResult& result) {
   json list = json::array();
@@ -45,6 +57,9 @@ json outliersJson(const Measurements& measurements, const CalibrationResult& res
                     {"corners", outlier.corners},
                     {"whole", outlier.whole},
                     {"distancePx", outlier.distance}});
+    if (outlier.move) {
+      list.back()["move"] = boardMoveJson(*outlier.move);
+    }
   }
   for (const DoubtfulReading& reading : result.doubtfulReadings) {
     const ImageObservation& picture = measurements.pictures[reading.picture];
@@ -55,19 +70,15 @@ json outliersJson(const Measurements& measurements, const CalibrationResult& res
   return list;
 }
 
-/// What lost its weight: counts, of how many, and what it shares.
-json rejectedJson(const Measurements& measurements, const CalibrationResult& result) {
-  std::size_t corners = 0;
-  for (const Outlier& outlier : result.outliers) {
-    corners += outlier.corners.size();
-  }
+/// What lost its weight, displaced boards aside: counts, of how many, and what it shares.
+json rejectedJson(const CalibrationResult& result) {
   json share = json::array();
   for (const SharedCause& cause : result.sharedCauses) {
     share.push_back({{"driver", cause.driver}, {"p", cause.p}});
   }
-  return {{"corners", corners},
-          {"readings", result.doubtfulReadings.size()},
-          {"of", {{"corners", measurements.cornerCount}, {"readings", measurements.witnessCount}}},
+  return {{"corners", result.rejected.corners},
+          {"readings", result.rejected.readings},
+          {"of", {{"corners", result.rejected.ofCorners}, {"readings", result.rejected.ofReadings}}},
           {"share", std::move(share)}};
 }
 
@@ -268,6 +279,17 @@ json definitions(const Model& model) {
 
 } // namespace
 
+json setUpsJson(const std::vector<WrongSetUp>& setUps) {
+  json list = json::array();
+  for (const WrongSetUp& setUp : setUps) {
+    list.push_back({{"setUp", setUp.label},
+                    {"why", setUp.why},
+                    {"question", setUp.question},
+                    {"odds", setUp.odds > 0 ? json(setUp.odds) : json(nullptr)}});
+  }
+  return list;
+}
+
 void ResultSources::add(const std::filesystem::path& folder) {
   sets.push_back(std::filesystem::weakly_canonical(folder).string());
   sha256.push_back(naocal::sha256(readFile(folder / "captures.json")));
@@ -304,6 +326,8 @@ StoredResult parseResult(const json& all, const std::string& name) {
     result.usable = all.at("usable").get<bool>();
     result.robot = all.contains("model") ? all["model"].value("robot", result.robot) : result.robot;
     result.sentence = all.value("sentence", "");
+    result.reasons = all.value("reasons", std::vector<std::string>{});
+    result.hasReasons = all.contains("reasons");
     if (all.contains("inputs")) {
       result.inputs = {all["inputs"].value("sets", std::vector<std::string>{}),
                        all["inputs"].value("sha256", std::vector<std::string>{}),
@@ -348,6 +372,7 @@ json resultJson(const FittedModel& fitted, const ResultSources& inputs) {
                   {"verdict", toString(fitted.fit.verdict)},
                   {"usable", fitted.fit.usable},
                   {"sentence", fitted.fit.sentence},
+                  {"setUps", setUpsJson(fitted.fit.setUps)},
                   {"warnings", toSentences(fitted.fit.warnings)},
                   {"rmsPx", hasCorners ? fitted.fit.rmsPx : 0},
                   {"medianPx", hasCorners ? fitted.fit.medianPx : 0},
@@ -375,7 +400,6 @@ json resultJson(const FittedModel& fitted, const ResultSources& inputs) {
                   {"placementSigmas", placementSigmasJson(fitted.model, fitted.fit)},
                   {"weak", weakJson(fitted.fit)},
                   {"doubtful", outliersJson(fitted.measurements, fitted.fit)},
-                  {"rejected", rejectedJson(fitted.measurements, fitted.fit)},
                   {"floorErrorAt2m", fitted.fit.floorErrorAt2m},
                   {"task", taskJson(fitted.fit)},
                   {"undetectable", undetectableJson(fitted.fit)},
@@ -389,6 +413,13 @@ json resultJson(const FittedModel& fitted, const ResultSources& inputs) {
                     {"define", definitions(fitted.model)}}},
                   {"cameras", camerasJson(*fitted.measurements.sets)},
                   {"sightings", residualsJson(fitted.measurements, fitted.fit)}});
+  result["reasons"] = fitted.fit.reasons;
+  result["rejected"] = rejectedJson(fitted.fit);
+  if (fitted.fit.negligible) {
+    result["negligible"] = {{"label", fitted.fit.negligible->label},
+                            {"sizes", fitted.fit.negligible->sizes},
+                            {"movedPx", fitted.fit.negligible->movedPx}};
+  }
   if (fitted.measurements.hasUnknownSteps()) {
     result["noise"]["unknownSteps"] = true;
   }

@@ -27,6 +27,9 @@ struct ResultSources {
 /// {"sets": [folders], "sha256": [..], "names": [..], "setUps": [..]}, the last where there are some
 nlohmann::json toJson(const ResultSources& sources);
 
+/// [{"setUp": "reversedJoint@elbow", "why": "...", "question": "...", "odds": x}], as results and diagnoses list them
+nlohmann::json setUpsJson(const std::vector<WrongSetUp>& setUps);
+
 /// RESULT.json: estimates with uncertainty, assumptions, and the prediction of every corner for reports.
 nlohmann::json resultJson(const FittedModel& fitted, const ResultSources& inputs);
 
@@ -40,6 +43,8 @@ struct StoredResult {
   bool usable = false;
   std::string robot = "V6";              // its model
   std::string sentence;                  // the verdict; empty: not in the file
+  std::vector<std::string> reasons;      // why it must not be used; empty if usable, or of an older version:
+  bool hasReasons = false;               // whether the file has any such list
   std::map<std::string, double> learned; // 1 - posterior sigma / prior sigma, by the same names as `values`
   ResultSources inputs;                  // the sets that it was made from
 };

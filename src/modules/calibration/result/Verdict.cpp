@@ -3,85 +3,59 @@
 #include "calibration/Outliers.hpp"
 #include "calibration/Task.hpp"
 #include "calibration/Uncertainty.hpp"
+#include "calibration/result/Assumptions.hpp"
+#include "calibration/result/Determination.hpp"
+#include "calibration/result/Plausibility.hpp"
 #include "calibration/result/Wording.hpp"
 #include "effects/Catalogue.hpp"
 #include "inference/Thresholds.hpp"
-#include "io/Units.hpp"
 #include "math/Angles.hpp"
-#include "math/LinearAlgebra.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <limits>
 
 namespace naocal {
 
 namespace {
 
-/// Whether a term can do what an offset does: an unknown placement, a camera's mount, or the drawing's step to a joint.
-bool canImitate(const Term& term) {
-  const std::string& name = term.effect.name;
-  return term.isPlacement || name == effectName::linkGeometry || name == effectName::cameraRotation ||
-         name == effectName::cameraTranslation;
+std::string words(const DisplacedBoardCount& displaced) {
+  return fmt::format("{} of {} board views {} not lie where the others put {}", displaced.moved, displaced.all,
+                     displaced.moved == 1 ? "does" : "do", displaced.moved == 1 ? "it" : "them");
 }
 
-/// The imitator that an offset is most correlated with.
-const Term* findImitator(const Model& model, const CalibrationResult& result, const Term& offset) {
-  const auto own = static_cast<Eigen::Index>(offset.first);
-  const Term* best = nullptr;
-  double most = 0;
-  for (const Term& term : model.terms()) {
-    for (std::size_t i = 0; i < term.effect.unknowns.size() && canImitate(term); ++i) {
-      const auto other = static_cast<Eigen::Index>(term.first + i);
-      const double share = std::abs(result.covariance(own, other)) / std::sqrt(result.covariance(other, other));
-      if (share > most) {
-        most = share;
-        best = &term;
-      }
-    }
+/// For example "the error is 4.49 px, the noise floor 0.65 px"; of what is left where measurements that are rejected
+/// raise it, after their number.
+std::string formatSizes(const CalibrationResult& result, const DisplacedBoardCount& displaced) {
+  constexpr double noticeable = 1.1; // ratio of the errors with and without
+  const RejectedMeasurements& rejected = result.rejected;
+  const std::size_t count = rejected.corners + rejected.readings;
+  const bool withRejected = count > 0 && rejected.presentPx > noticeable * rejected.keptPx;
+  std::vector<std::string> aside;
+  if (displaced.any()) {
+    aside.push_back(words(displaced));
   }
-  return best;
+  if (withRejected) {
+    aside.push_back(formatRejected(rejected));
+  }
+  const bool single = aside.size() == 1 && (displaced.any() ? displaced.moved : count) == 1;
+  const std::string without =
+      aside.empty() ? "" : fmt::format("{}; without {} ", joinWords(aside), single ? "it" : "them");
+  const double error = withRejected ? rejected.keptPx : rejected.presentPx;
+  if (!result.readings.empty() && result.residuals.empty()) {
+    return fmt::format("{}the error is {}, {:.1f} times what noise explains", without,
+                       formatSizes(withRejected ? rejected.keptReadings : result.readings),
+                       error / result.noiseFloorPx);
+  }
+  return fmt::format("{}the error is {:.2f} px, the noise floor {:.2f} px", without, error, result.noiseFloorPx);
 }
 
-/// Whether an offset of a robot with a URDF is not determined only because unknown placements or the drawing's steps do
-/// what it does: with these known it would be.
-bool isHeld(const Measurements& measurements, const Model& model, const CalibrationResult& result, const Term& offset) {
-  if (!measurements.quantities.scene().hasLinkSteps || offset.effect.name != effectName::jointOffset ||
-      result.estimates[offset.first].learned >= threshold::learned) {
-    return false;
-  }
-  std::vector<Eigen::Index> imitators;
-  for (const Term& term : model.terms()) {
-    for (std::size_t i = 0; i < term.effect.unknowns.size() && canImitate(term); ++i) {
-      imitators.push_back(static_cast<Eigen::Index>(term.first + i));
-    }
-  }
-  const auto own = static_cast<Eigen::Index>(offset.first);
-  const Eigen::MatrixXd& covariance = result.covariance;
-  const Eigen::VectorXd scales = covariance.diagonal()(imitators).cwiseSqrt();
-  const Eigen::MatrixXd among =
-      scales.cwiseInverse().asDiagonal() * covariance(imitators, imitators) * scales.cwiseInverse().asDiagonal();
-  const Eigen::VectorXd with = covariance.col(own)(imitators).cwiseQuotient(scales);
-  const double left = covariance(own, own) - with.dot(among.completeOrthogonalDecomposition().solve(with));
-  return std::sqrt(std::max(0.0, left)) < (1 - threshold::learned) * offset.effect.unknowns.front().sigma;
-}
-
-/// Offsets that another term imitates: first unknown -> that term.
-using HeldOffsets = std::map<std::size_t, const Term*>;
-
-HeldOffsets findHeldOffsets(const Measurements& measurements, const Model& model, const CalibrationResult& result) {
-  HeldOffsets held;
-  for (const Term& term : model.terms()) {
-    if (isHeld(measurements, model, result, term)) {
-      if (const Term* const imitator = findImitator(model, result, term)) {
-        held.emplace(term.first, imitator);
-      }
-    }
-  }
-  return held;
+/// Whether what the model leaves is noise, apart from few measurements that an accident spoiled.
+bool isNoise(const CalibrationResult& result) {
+  const double most = threshold::unexplainedNoises * result.noiseFloorPx;
+  const RejectedMeasurements& rejected = result.rejected;
+  return rejected.presentPx <= most || (rejected.keptPx <= most && rejected.share() <= threshold::fewRejected);
 }
 
 /// Whether the answer is precise enough with a cause missing: the task's bound is within its tolerance, or without a
@@ -100,50 +74,17 @@ bool isPreciseEnough(const Model& model, const CalibrationResult& result, const 
   });
 }
 
-/// Whether the model explains the captures, and if not, whether the answer remains reliable.
+/// Whether the model explains the captures, and if not, whether the answer remains reliable. `missing`: something is
+/// missing for another reason.
 ResultVerdict judgeExplained(const Model& model, const CalibrationResult& result, const HeldOffsets& held,
                              bool missing) {
   const bool fits =
       result.misfitLeft < threshold::mostMisfit(result.misfitFreedom) || result.rmsPx < result.noiseFloorPx;
-  if (!missing && fits && result.noise.pose < suspectScatter) {
+  if (!missing && fits && isNoise(result) && result.noise.pose < suspectScatter) {
     return ResultVerdict::good;
   }
   const bool holds = result.misfitLeft < threshold::bearableMisfit && isPreciseEnough(model, result, held);
   return holds ? ResultVerdict::causeMissing : ResultVerdict::doNotUse;
-}
-
-std::string words(const DisplacedBoardCount& displaced) {
-  return fmt::format("{} of {} board views {} not lie where the others put {}", displaced.moved, displaced.all,
-                     displaced.moved == 1 ? "does" : "do", displaced.moved == 1 ? "it" : "them");
-}
-
-/// rms distance of all corners except those of displaced boards [px].
-double rmsWithoutMoved(const CalibrationResult& result) {
-  std::vector<BoardResidual> kept = result.withReportedAngles;
-  std::erase_if(kept, [&](const BoardResidual& board) {
-    return std::any_of(result.outliers.begin(), result.outliers.end(), [&](const Outlier& outlier) {
-      return outlier.whole && outlier.picture == board.picture && outlier.observation == board.observation;
-    });
-  });
-  return summarizeDistances(collectDistances(kept)).rmsPx;
-}
-
-/// For example "the error is 4.49 px, the noise floor 0.65 px".
-std::string formatSizes(const CalibrationResult& result, const DisplacedBoardCount& displaced) {
-  if (!result.readings.empty() && result.residuals.empty()) {
-    return fmt::format("the error is {}, {:.1f} times what noise explains", formatSizes(result.readings),
-                       result.rmsPx / result.noiseFloorPx);
-  }
-  return fmt::format("{}the error is {:.2f} px, the noise floor {:.2f} px",
-                     displaced.any() ? words(displaced) + "; without " + (displaced.moved == 1 ? "it " : "them ")
-                                     : std::string{},
-                     displaced.any() ? rmsWithoutMoved(result) : result.rmsPx, result.noiseFloorPx);
-}
-
-/// An offset's sigma with its unit: "5.7°", "3.1 mm".
-std::string formatSigma(const Term& offset, double sigma) {
-  const auto [unit, factor] = displayUnit(offset.effect.unknowns.front().unit);
-  return appendUnit(fmt::format("{:.1f}", factor * sigma), unit);
 }
 
 using About = Warning::About;
@@ -152,37 +93,12 @@ void warn(About about, std::string sentence, CalibrationResult& result) {
   result.warnings.push_back({about, std::move(sentence)});
 }
 
-/// How far apart the poses take a joint [rad, m].
-double rangeOf(std::size_t joint, const Measurements& measurements) {
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-  for (const ImageObservation& picture : measurements.pictures) {
-    const double angle = picture.instant.q[eigenIndex(joint)];
-    low = std::min(low, angle);
-    high = std::max(high, angle);
-  }
-  return high - low;
-}
-
-/// Warns of offsets that the captures do not determine; such a result is unusable.
-void checkOffsets(const Measurements& measurements, const Model& model, const HeldOffsets& held,
-                  CalibrationResult& result) {
-  constexpr double far = 0.3; // [rad, m]: a joint that moves so far would show, if what is measured moved with it
-  for (const Term& term : model.terms()) {
-    const Estimate& estimate = result.estimates[term.first];
-    if (term.effect.name == effectName::jointOffset && term.requested && !held.contains(term.first) &&
-        estimate.learned < threshold::learned) {
-      result.usable = false;
-      warn(About::offset,
-           fmt::format(
-               "{} cannot be learned from these captures ({:.0f} % learned, ±{}): "
-               "{}, or leave it out with --without {}",
-               describeUnknown(term, 0), 100 * estimate.learned, formatSigma(term, estimate.sigma),
-               rangeOf(term.placeIndex, measurements) < far
-                   ? "add poses that move it"
-                   : "it moves, but what is measured hardly moves with it; measure something further from its axis",
-               term.label()),
-           result);
-    }
+/// Warns of what forbids to use the result.
+void forbid(About about, const std::vector<std::string>& sentences, CalibrationResult& result) {
+  for (const std::string& sentence : sentences) {
+    result.usable = false;
+    result.reasons.push_back(sentence);
+    warn(about, sentence, result);
   }
 }
 
@@ -200,30 +116,26 @@ void warnOfHeldOffsets(const Model& model, const HeldOffsets& held, CalibrationR
   }
 }
 
-/// Warns of a large floor error; such a result is unusable.
+/// Forbids results with a large floor error.
 void checkFloorError(CalibrationResult& result) {
   constexpr double largest = 0.05; // [m]
   if (result.floorErrorAt2m > largest) {
-    result.usable = false;
-    warn(About::floor,
-         fmt::format("a floor point 2 m ahead would be seen {:.0f} mm off (1 sigma); at most {:.0f} mm "
-                     "is good enough to play: take more poses or more boards",
-                     1e3 * result.floorErrorAt2m, 1e3 * largest),
-         result);
+    forbid(About::floor,
+           {fmt::format("a floor point 2 m ahead would be seen {:.0f} mm off (1 sigma); at most {:.0f} mm "
+                        "is good enough to play: take more poses or more boards",
+                        1e3 * result.floorErrorAt2m, 1e3 * largest)},
+           result);
   }
 }
 
-/// Warns of a bound beyond the tolerance. Such a result is unusable if the user gave that tolerance; else the bound
-/// only decides where a cause is missing (`judgeExplained`).
-void checkTask(bool isGiven, CalibrationResult& result) {
-  if (result.task && result.task->isGiven == isGiven && result.task->bound > result.task->tolerance) {
-    result.usable = result.usable && !isGiven;
-    warn(About::floor,
-         fmt::format(
-             "{}: the bound of the error, {:.2g} mm (99.95 %), is beyond the tolerance of {:.2g} mm: take more poses",
-             result.task->what, 1e3 * result.task->bound, 1e3 * result.task->tolerance),
-         result);
+/// The sentence about a bound beyond the tolerance, if it is. `isGiven`: of a tolerance that the user gave.
+std::vector<std::string> describeBound(bool isGiven, const CalibrationResult& result) {
+  if (!result.task || result.task->isGiven != isGiven || result.task->bound <= result.task->tolerance) {
+    return {};
   }
+  return {fmt::format(
+      "{}: the bound of the error, {:.2g} mm (99.95 %), is beyond the tolerance of {:.2g} mm: take more poses",
+      result.task->what, 1e3 * result.task->bound, 1e3 * result.task->tolerance)};
 }
 
 /// Warns of doubtful measurements of one kind: "corner", "reading".
@@ -269,6 +181,12 @@ std::string formatCause(const CalibrationResult& result, bool missing) {
                      fmt::join(likeliest.without, " and "), 100 * likeliest.weight);
 }
 
+/// Why a result must not be used whose error has an unknown cause.
+std::string formatUnexplained(const CalibrationResult& result, const DisplacedBoardCount& displaced,
+                              const std::string& cause) {
+  return fmt::format("{}; {}, and the offsets depend on it", formatSizes(result, displaced), cause);
+}
+
 } // namespace
 
 std::string formatVerdict(const CalibrationResult& result, const DisplacedBoardCount& displaced,
@@ -282,11 +200,9 @@ std::string formatVerdict(const CalibrationResult& result, const DisplacedBoardC
                        "uncertainty. Find it with 'naocal diagnose'.",
                        formatSizes(result, displaced), cause);
   case ResultVerdict::doNotUse:
-    return firm.empty()
-               ? fmt::format("Do not use this calibration yet: {}; {}, and the offsets depend on it. Find it with "
-                             "'naocal diagnose'.",
-                             formatSizes(result, displaced), cause)
-               : fmt::format("Do not use this calibration: {}.", firm);
+    return firm.empty() ? fmt::format("Do not use this calibration yet: {}. Find it with 'naocal diagnose'.",
+                                      formatUnexplained(result, displaced, cause))
+                        : fmt::format("Do not use this calibration: {}.", firm);
   }
   return {};
 }
@@ -294,28 +210,44 @@ std::string formatVerdict(const CalibrationResult& result, const DisplacedBoardC
 void judgeResult(const Measurements& measurements, const Model& model, CalibrationResult& result) {
   result.weak = findWeakDirections(model, result);
   result.floorErrorAt2m = predictFloorErrorAt2m({measurements, model, result});
-  result.usable = result.converged;
+  result.usable = true;
   if (!result.converged) {
-    warn(About::fit, "the search did not converge: try --restarts 20, and check the robot's model and the boards",
-         result);
+    forbid(About::fit, {"the search did not converge: try --restarts 20, and check the robot's model and the boards"},
+           result);
   }
-  const HeldOffsets held = findHeldOffsets(measurements, model, result);
-  checkOffsets(measurements, model, held, result);
+  forbid(About::fit, listImpossible({measurements, model, result}), result);
+  const bool isCertain = !result.usable;
+  const HeldOffsets held = findHeldOffsets({measurements, model, result});
+  forbid(About::offset, listUndetermined({measurements, model, result}, held), result);
   checkFloorError(result);
-  checkTask(true, result);
+  forbid(About::floor, describeBound(true, result), result);
   const bool missing = (result.pValue <= threshold::alarm && result.matters) || !result.sharedCauses.empty();
   const DisplacedBoardCount displaced{measurements, result.outliers};
-  // reports a missing effect first: it implies that the offsets are uncertain
-  const std::string firm =
-      result.usable || (missing && result.converged) ? std::string{} : result.warnings.front().sentence;
   result.verdict =
       result.usable ? judgeExplained(model, result, held, missing || displaced.areMany()) : ResultVerdict::doNotUse;
+  // reports a missing effect before what is not learned: it implies that the offsets are uncertain
+  const std::string cause = formatCause(result, missing);
+  const bool isFirm = !result.usable && (isCertain || !missing);
+  result.sentence = formatVerdict(result, displaced, cause, isFirm ? result.reasons.front() : "");
   result.usable = result.verdict != ResultVerdict::doNotUse;
-  result.sentence = formatVerdict(result, displaced, formatCause(result, missing), firm);
+  if (!result.usable && !isFirm) {
+    result.reasons.insert(result.reasons.begin(), formatUnexplained(result, displaced, cause));
+  }
+  if (result.usable && result.negligible) {
+    result.sentence += " " + formatNegligible(*result.negligible, errorUnitOf(measurements, result.noise));
+  }
   warnOfHeldOffsets(model, held, result);
-  checkTask(false, result);
+  for (const std::string& sentence : describeBound(false, result)) { // decides only where a cause is missing
+    warn(About::floor, sentence, result);
+  }
   warnOfOutliers(result);
   warnOfSharedCause(result);
+  for (const std::string& sentence : describeDisplacedBoards(measurements, result)) {
+    warn(About::fit, sentence, result);
+  }
+  for (const std::string& sentence : describeAssumptions(measurements, model.terms())) {
+    warn(About::fit, sentence, result);
+  }
 }
 
 std::string toString(ResultVerdict verdict) {

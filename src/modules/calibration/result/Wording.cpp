@@ -1,5 +1,6 @@
 #include "calibration/result/Wording.hpp"
 #include "effects/Catalogue.hpp"
+#include "inference/Thresholds.hpp"
 #include "io/Units.hpp"
 #include "math/Angles.hpp"
 
@@ -138,6 +139,44 @@ std::string formatJointNoise(const Noise& noise, bool hasUnknownSteps) {
                                                : fmt::format("encoders {:.4f}°,", degrees(noise.encoder));
   return fmt::format("{} joint scatter {:.4f}° from pose to pose{}", encoders, degrees(noise.pose),
                      noise.stance > 0 ? fmt::format(" and {:.4f}° from stance to stance", degrees(noise.stance)) : "");
+}
+
+bool isTold(const Unknown& unknown, double variance) {
+  return std::sqrt(variance) < threshold::undetermined * unknown.sigma;
+}
+
+std::string formatSizes(const Effect& effect, const Eigen::VectorXd& estimate, const Eigen::MatrixXd& covariance) {
+  std::vector<std::string> parts;
+  for (std::size_t i = 0; i < effect.unknowns.size(); ++i) {
+    const Unknown& unknown = effect.unknowns[i];
+    const auto row = static_cast<Eigen::Index>(i);
+    if (!isTold(unknown, covariance(row, row))) {
+      parts.push_back(unknown.name + " undetermined");
+      continue;
+    }
+    const auto [unit, scale] = displayUnit(unknown.unit);
+    const std::string size = formatEstimate(scale * estimate[row], scale * std::sqrt(covariance(row, row)));
+    parts.push_back(appendUnit(fmt::format("{} = {}", unknown.name, size), unit));
+  }
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+std::string formatRejected(const RejectedMeasurements& rejected) {
+  std::vector<std::string> kinds;
+  if (rejected.corners > 0) {
+    kinds.push_back(fmt::format("{} of {} corners", rejected.corners, rejected.ofCorners));
+  }
+  if (rejected.readings > 0) {
+    kinds.push_back(fmt::format("{} of {} readings", rejected.readings, rejected.ofReadings));
+  }
+  const bool single = rejected.corners + rejected.readings == 1;
+  return fmt::format("{} {} not fit the rest", joinWords(kinds), single ? "does" : "do");
+}
+
+std::string formatNegligible(const NegligibleEffect& effect, const ErrorUnit& unit) {
+  return fmt::format("{} is hardly chance{}, but it changes the predictions by only {:.2g} {}: too little to matter.",
+                     effect.label, effect.sizes.empty() ? "" : " (" + effect.sizes + ")", unit.perPx * effect.movedPx,
+                     unit.name);
 }
 
 std::string joinWords(const std::vector<std::string>& words) {

@@ -25,6 +25,15 @@ std::string formatShoulder(const std::string& name, const std::string& unit, con
 /// stance to stance". `hasUnknownSteps`: an encoder's noise is part of the scatter (`Measurements::hasUnknownSteps`).
 std::string formatJointNoise(const Noise& noise, bool hasUnknownSteps);
 
+/// Whether the captures tell an unknown's size: standard error below `threshold::undetermined` prior sigmas.
+bool isTold(const Unknown& unknown, double variance);
+/// Sizes of an effect with their standard errors: "c = 0.31 ± 0.02 °/Nm".
+std::string formatSizes(const Effect& effect, const Eigen::VectorXd& estimate, const Eigen::MatrixXd& covariance);
+/// For example "12 of 7654 corners do not fit the rest".
+std::string formatRejected(const RejectedMeasurements& rejected);
+/// That an effect is beyond chance, but too small to matter; its displacement in `unit`.
+std::string formatNegligible(const NegligibleEffect& effect, const ErrorUnit& unit);
+
 /// "a", "a and b", "a, b and c".
 std::string joinWords(const std::vector<std::string>& words);
 

@@ -6,11 +6,16 @@
 
 namespace naocal {
 
-/// Finds accidents and set-up errors: a displaced board or robot, a bad capture, a wrong board size, a joint of
-/// inverted sign, swapped camera names. Reports one only if it explains the captures far better than any effect.
-/// `given`: the measurements at full weight.
+/// Finds mistakes of the set-up (`findSetUps`) and accidents: a displaced board or robot, a bad capture. Reports one
+/// only if it explains the captures far better than any effect. `given`: the measurements at full weight.
 std::vector<DataAnomaly> findAnomalies(const FittedModel& fitted, const CandidateTests& candidateTests,
                                        const Measurements& given);
+
+/// Why no fit of this model is possible: a mistake of the set-up, or a robot or board that was moved far.
+std::vector<DataAnomaly> findGrossAnomalies(const Measurements& measurements, const Model& model);
+
+/// Zeros that are off by whole motor turns (`findSlippedCounts`).
+std::vector<DataAnomaly> findSlips(const FittedModel& fitted);
 
 /// Only one-off events, which the misfit of an effect may have masked before it was added.
 std::vector<DataAnomaly> findTransientAnomalies(const FittedModel& fitted, const CandidateTests& candidateTests,

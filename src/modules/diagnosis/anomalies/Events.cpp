@@ -1,17 +1,21 @@
 #include "diagnosis/anomalies/Events.hpp"
 
+#include "calibration/BoardMoves.hpp"
 #include "calibration/Fit.hpp"
 #include "estimation/EffectJacobian.hpp"
 #include "estimation/Model.hpp"
 #include "inference/DriverBasis.hpp"
 #include "io/InputError.hpp"
+#include "io/Units.hpp"
 #include "math/Angles.hpp"
+#include "math/LinearAlgebra.hpp"
 #include "math/Parallel.hpp"
 #include "measurements/Measurements.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <iterator>
 #include <map>
 #include <set>
@@ -280,6 +284,34 @@ std::vector<std::size_t> worstPictures(std::size_t most, const Measurements& mea
   return result;
 }
 
+/// Boards displaced in one picture only: of at most 48 views, those whose corners are farthest off together.
+std::vector<TransientEvent> displacedBoards(const Measurements& measurements, const CalibrationResult& fit) {
+  constexpr std::size_t most = 48;
+  std::vector<std::pair<double, const BoardResidual*>> views; // with minus the size of their common error
+  for (const BoardResidual& view : fit.withReportedAngles) {
+    if (view.residual.cols() > 0) {
+      views.emplace_back(-std::sqrt(static_cast<double>(view.residual.cols())) * view.residual.rowwise().mean().norm(),
+                         &view);
+    }
+  }
+  std::stable_sort(views.begin(), views.end(),
+                   [](const auto& one, const auto& other) { return one.first < other.first; });
+  views.resize(std::min(most, views.size()));
+  std::vector<TransientEvent> result;
+  for (const auto& [size, view] : views) {
+    const ImageObservation& picture = measurements.pictures[view->picture];
+    const std::string& board = measurements.targets[picture.observations[view->observation].view.board()].name;
+    const int id = measurements.captureOf(picture).id;
+    result.push_back({.term = makeBoardMove(measurements, view->picture, view->observation),
+                      .who = fmt::format("board {} in capture {}", board, id),
+                      .where = formatSet(picture.set, measurements),
+                      .moved = board,
+                      .set = picture.set,
+                      .captures = {id}});
+  }
+  return result;
+}
+
 } // namespace
 
 std::vector<std::optional<EventFit>> fitEvents(const std::vector<TransientEvent>& events, const FittedModel& fitted) {
@@ -313,18 +345,133 @@ bool isSameThing(const TransientEvent& one, const TransientEvent& other) {
          one.term.effect.name == other.term.effect.name;
 }
 
-std::string describeEvent(const TransientEvent& event, const Eigen::VectorXd& values) {
-  if (!event.from) {
-    return fmt::format("{}{} {}", event.who, event.where, event.what);
+namespace {
+
+/// Whether whole views still disagree with the rest: any of the event's captures, or more than a tenth of those after
+/// its moment, as another accident may follow.
+bool leavesOutliers(const TransientEvent& event, const Measurements& measurements, const CalibrationResult& fit) {
+  constexpr double most = 0.1; // share
+  const auto isConcerned = [&](const ImageObservation& picture) {
+    const std::vector<int>& ids = event.captures;
+    return picture.set == event.set &&
+           (event.from ? isAfter(picture.instant, *event.from)
+                       : std::find(ids.begin(), ids.end(), measurements.captureOf(picture).id) != ids.end());
+  };
+  double views = 0, outliers = 0;
+  for (const ImageObservation& picture : measurements.pictures) {
+    views += isConcerned(picture) ? static_cast<double>(picture.observations.size()) : 0;
   }
+  for (const Outlier& outlier : fit.outliers) {
+    outliers += outlier.whole && isConcerned(measurements.pictures[outlier.picture]) ? 1 : 0;
+  }
+  return outliers > (event.from ? most * views : 0);
+}
+
+} // namespace
+
+std::optional<EventEstimate> estimateEvent(const TransientEvent& event, const FittedModel& fitted,
+                                           const Eigen::VectorXd& start) {
+  constexpr double wide = 3; // an event has no usual size
+  Term term = event.term;
+  term.effect.inBaseModel = true; // no explanation does without it
+  for (std::size_t i = 0; i < term.effect.unknowns.size(); ++i) {
+    double& sigma = term.effect.unknowns[i].sigma;
+    sigma = std::max(sigma, wide * std::abs(start[eigenIndex(i)]));
+  }
+  Model larger = fitted.model;
+  larger.add(term);
+  const std::size_t first = larger.terms().back().first;
+  CalibrationOptions options;
+  options.noise = fitted.fit.noise;
+  options.excludeDisplaced = false;
+  options.draws = 0;
+  options.start = mapParameters(fitted.model, fitted.fit.unknowns, larger);
+  options.start->tail(start.size()) = start;
+  try {
+    const CalibrationResult result = calibrate(fitted.measurements, larger, options);
+    EventEstimate estimate{{}, result.noise, leavesOutliers(event, fitted.measurements, result)};
+    for (std::size_t i = 0; i < term.effect.unknowns.size(); ++i) {
+      const Estimate& one = result.estimates[first + i];
+      const auto [low, high] = one.interval();
+      estimate.values.push_back(
+          {term.effect.unknowns[i].name, term.effect.unknowns[i].unit, one.best(), one.bestSigma(), low, high});
+    }
+    return estimate;
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+namespace {
+
+/// "+5.00 ± 0.02°"
+std::string formatValue(const EventValue& value) {
+  const auto [unit, factor] = displayUnit(value.unit);
+  return appendUnit(
+      fmt::format("{}{}", value.value < 0 ? "" : "+", formatEstimate(factor * value.value, factor * value.sigma)),
+      unit);
+}
+
+/// " (x +29.0 ± 0.6 mm, ...)"; empty without sigmas.
+std::string formatValues(const std::vector<EventValue>& values) {
+  std::vector<std::string> parts;
+  for (const EventValue& value : values) {
+    if (value.sigma > 0) {
+      parts.push_back(fmt::format("{} {}", value.unknown, formatValue(value)));
+    }
+  }
+  return parts.empty() ? "" : fmt::format(" ({})", fmt::join(parts, ", "));
+}
+
+/// "LAnklePitch's zero changed by +0.40 ± 0.02° (95 %: +0.36° to +0.44°)"
+std::string describeStep(const std::string& who, const EventValue& step) {
+  const auto [unit, factor] = displayUnit(step.unit);
+  if (step.sigma <= 0) {
+    return fmt::format("{}'s zero changed by {}", who, appendUnit(fmt::format("{:+.2f}", factor * step.value), unit));
+  }
+  const int decimals = decimalsFor(factor * step.sigma);
+  return fmt::format("{}'s zero changed by {} (95 %: {} to {})", who, formatValue(step),
+                     appendUnit(fmt::format("{:+.{}f}", factor * step.low, decimals), unit),
+                     appendUnit(fmt::format("{:+.{}f}", factor * step.high, decimals), unit));
+}
+
+Eigen::VectorXd numbersOf(const std::vector<EventValue>& values) {
+  Eigen::VectorXd numbers(eigenIndex(values.size()));
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    numbers[eigenIndex(i)] = values[i].value;
+  }
+  return numbers;
+}
+
+std::string describeMove(const TransientEvent& event, const std::vector<EventValue>& values) {
   const PlaceKind place = event.term.effect.placeKind;
-  const std::string how =
-      isMoveAnyhow(event)          ? fmt::format("{} moved by {:.3g} mm and {:.2g}°", event.who,
-                                                 millimetres * values.head<3>().norm(), degrees(values.tail<3>().norm()))
-      : place == PlaceKind::motor  ? fmt::format("{}'s zero changed by {:+.2f}°", event.who, degrees(values[0]))
-      : place == PlaceKind::camera ? fmt::format("{} turned by {:.2f}°", event.who, degrees(values.norm()))
-                                   : fmt::format("{} moved by {:.0f} mm and {:.1f}°", event.who,
-                                                 millimetres * values.head<2>().norm(), degrees(std::abs(values[2])));
+  const Eigen::VectorXd numbers = numbersOf(values);
+  if (isMoveAnyhow(event)) {
+    return fmt::format("{} moved by {:.3g} mm and {:.2g}°{}", event.who, millimetres * numbers.head<3>().norm(),
+                       degrees(numbers.tail<3>().norm()), formatValues(values));
+  }
+  return place == PlaceKind::camera
+             ? fmt::format("{} turned by {:.2f}°{}", event.who, degrees(numbers.norm()), formatValues(values))
+             : fmt::format("{} moved by {:.0f} mm and {:.1f}°{}", event.who, millimetres * numbers.head<2>().norm(),
+                           degrees(std::abs(numbers[2])), formatValues(values));
+}
+
+} // namespace
+
+std::string describeEvent(const TransientEvent& event, const std::vector<EventValue>& values) {
+  if (!event.from) {
+    if (event.moved.empty()) {
+      return fmt::format("{}{} {}", event.who, event.where, event.what);
+    }
+    Eigen::VectorXd sigmas(eigenIndex(values.size()));
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      sigmas[eigenIndex(i)] = values[i].sigma;
+    }
+    return fmt::format("board {} lies {} in capture {}{} than in all others", event.moved,
+                       describeBoardMove({numbersOf(values), sigmas}), event.captures.front(), event.where);
+  }
+  const std::string how = event.term.effect.placeKind == PlaceKind::motor ? describeStep(event.who, values.front())
+                                                                          : describeMove(event, values);
   const auto& [set, time, since, until] = *event.from;
   return fmt::format("{}, {:.1f} s after the first capture{} (between {:.1f} and {:.1f} s)", how, time, event.where,
                      since, until);
@@ -345,6 +492,8 @@ std::vector<TransientEvent> enumerateEvents(const Measurements& measurements, co
                       .captures = {id},
                       .what = "does not belong to the rest: another picture, or other angles"});
   }
+  const std::vector<TransientEvent> displaced = displacedBoards(measurements, fit);
+  result.insert(result.end(), displaced.begin(), displaced.end());
   return result;
 }
 

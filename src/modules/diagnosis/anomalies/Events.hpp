@@ -21,7 +21,8 @@ struct TransientEvent {
   Term term;
   std::optional<Moment> from; // start, if it persists
   std::string who, where;     // "board B"; " of SET" if there are several sets
-  std::string moved = {};     // id of the board, tracker or camera that moved, of a stance; empty for other events
+  std::string moved = {};     // id of the board, tracker or camera that moved, of a stance; empty for other events.
+                              // With `captures`: of the board that was displaced in these only
   std::size_t set = 0;        // set of the event
   std::vector<int> captures;  // ids of the affected captures, if few
   std::string what;           // description for these captures: "does not belong to the rest"
@@ -35,12 +36,20 @@ bool isMoveAnyhow(const TransientEvent& event);
 /// Whether both concern the same object, at any moments of a set, or the same captures.
 bool isSameThing(const TransientEvent& one, const TransientEvent& other);
 
-/// "board B moved by 33 mm and 0.8°, 12.3 s after the first capture (between 8.2 and 16.4 s)". `values`: the event's
-/// unknowns.
-std::string describeEvent(const TransientEvent& event, const Eigen::VectorXd& values);
+/// Estimate of one unknown of an event.
+struct EventValue {
+  std::string unknown, unit;
+  double value = 0, sigma = 0; // [unit]
+  double low = 0, high = 0;    // 95 % interval
+};
+
+/// "board B moved by 33 mm and 0.8° (x +31.0 ± 0.4 mm, ...), 12.3 s after the first capture (between 8.2 and 16.4 s)".
+/// `values`: the event's unknowns, without sigmas where they could not be estimated.
+std::string describeEvent(const TransientEvent& event, const std::vector<EventValue>& values);
 
 /// Possible displacements of boards, robot, cameras, trackers and joint zeros, each at up to 16 moments between
-/// captures; and single bad pictures (the 128 with the largest errors).
+/// captures; single bad pictures (the 128 with the largest errors); and boards displaced in one picture (the 48 views
+/// that lie farthest off).
 std::vector<TransientEvent> enumerateEvents(const Measurements& measurements, const CalibrationResult& fit);
 
 /// The same events at all moments between two captures, at most 128 per object.
@@ -54,5 +63,17 @@ struct EventFit {
 
 /// Fits each event at the noise levels and loss of `fit`, starting there. Absent if the search fails.
 std::vector<std::optional<EventFit>> fitEvents(const std::vector<TransientEvent>& events, const FittedModel& fitted);
+
+/// An event's estimates, and the noise that is left with it in the model.
+struct EventEstimate {
+  std::vector<EventValue> values;
+  Noise noise;
+  bool leavesOutliers = false; // whole views of what it concerns: it moves them together, but not to where they are
+};
+
+/// Calibrates with the event in the model, from `start`, with all noise levels estimated anew: without it, what it did
+/// counts as noise, and holds its size back. Absent if the search fails.
+std::optional<EventEstimate> estimateEvent(const TransientEvent& event, const FittedModel& fitted,
+                                           const Eigen::VectorXd& start);
 
 } // namespace naocal

@@ -142,11 +142,15 @@ double expectedByChance(const Asked& events, const Measurements& measurements) {
   return threshold::veryStrong + 2 * std::log(static_cast<double>(possible));
 }
 
+bool leads(double bayes, const Rivals& rivals) {
+  return bayes > std::max(rivals.lasting + threshold::veryStrong, rivals.passing + threshold::unnamed);
+}
+
 /// Whether the likeliest event leads its rivals and is large enough to matter.
 bool isConvincing(const Asked& events, const Rivals& rivals) {
   const std::size_t first = events.order.front();
   const GroupEvidence& evidence = events.evidence[first];
-  return events.bayes[first] > std::max(rivals.lasting + threshold::veryStrong, rivals.passing + threshold::unnamed) &&
+  return leads(events.bayes[first], rivals) &&
          (events.events[first].from ? evidence.movedPx > threshold::negligiblePx : evidence.matters());
 }
 
@@ -279,6 +283,87 @@ bool explainsMisfit(const Tried& tried, const FittedModel& fitted) {
   return isGiven && freedom > 0 && left <= threshold::mostMisfit(freedom) * freedom;
 }
 
+/// The event with its estimates, at the moment that fits best at the noise that it leaves.
+struct Estimated {
+  TransientEvent event;
+  std::vector<EventValue> values;
+  bool leavesOutliers = false;
+};
+
+/// Values without sigmas, of a search that failed.
+std::vector<EventValue> valuesOf(const Tried& tried) {
+  std::vector<EventValue> values;
+  for (std::size_t i = 0; i < tried.event.term.effect.unknowns.size(); ++i) {
+    const Unknown& unknown = tried.event.term.effect.unknowns[i];
+    values.push_back({unknown.name, unknown.unit, tried.values[static_cast<Eigen::Index>(i)]});
+  }
+  return values;
+}
+
+/// Estimates the likeliest event with the noise levels estimated beside it; tries its moments again at these.
+Estimated estimateLikeliest(const std::vector<Tried>& tried, const FittedModel& fitted) {
+  const Tried& best = tried.front();
+  const auto estimate = estimateEvent(best.event, fitted, best.values);
+  if (!estimate) {
+    return {best.event, valuesOf(best)};
+  }
+  std::vector<TransientEvent> moments;
+  for (const Tried& other : tried) {
+    if (isSameThing(other.event, best.event)) {
+      moments.push_back(other.event);
+    }
+  }
+  if (moments.size() == 1) {
+    return {best.event, estimate->values, estimate->leavesOutliers};
+  }
+  CalibrationResult sharper = fitted.fit;
+  sharper.noise = estimate->noise;
+  const std::vector<std::optional<EventFit>> fits = fitEvents(moments, {fitted.measurements, fitted.model, sharper});
+  const auto fallOf = [&](std::size_t i) { return fits[i] ? fits[i]->fall : 0; };
+  std::size_t likeliest = 0;
+  for (std::size_t i = 1; i < moments.size(); ++i) {
+    likeliest = fallOf(i) > fallOf(likeliest) ? i : likeliest;
+  }
+  if (likeliest == 0 || !fits[likeliest]) {
+    return {best.event, estimate->values, estimate->leavesOutliers};
+  }
+  const auto again = estimateEvent(moments[likeliest], fitted, fits[likeliest]->values);
+  return again ? Estimated{moments[likeliest], again->values} : Estimated{best.event, estimate->values};
+}
+
+/// Whether nothing is left of an event once it is in the model: what was seen after it does not agree on it, and lost
+/// its weight.
+bool isGone(const std::vector<EventValue>& values) {
+  constexpr double most = 0.5; // sigmas of each unknown: small moves in several directions are less certain each
+  return std::all_of(values.begin(), values.end(),
+                     [](const EventValue& one) { return one.sigma > 0 && std::abs(one.value) < most * one.sigma; });
+}
+
+/// Whether something that stands anyhow moved so little that a sum of small effects which vary with time is likelier.
+bool isRatherDrift(const Tried& tried, const FittedModel& fitted) {
+  return isMoveAnyhow(tried.event) && !explainsMisfit(tried, fitted) &&
+         tried.bayes < noticed * static_cast<double>(posesAfter(tried.event, fitted.measurements));
+}
+
+/// Tells the likeliest of the fitted events. Absent if its estimate refutes it.
+std::optional<LikelyEvent> tellLikeliest(const std::vector<Tried>& tried, const Asked& fine, const Rivals& rivals,
+                                         const FittedModel& fitted) {
+  const Tried& best = tried.front();
+  constexpr double mostOdds = 1e12;
+  LikelyEvent result{best.event, std::min(mostOdds, std::exp((best.bayes - rivals.best()) / 2)), {}};
+  const bool isSized = best.event.from || !best.event.moved.empty();
+  if (isSized || best.event.captures.size() > 1) {
+    Estimated estimated = estimateLikeliest(tried, fitted);
+    if (isGone(estimated.values) || estimated.leavesOutliers) {
+      return std::nullopt;
+    }
+    result.event = best.event.from ? widenEvent(std::move(estimated.event), fine) : std::move(estimated.event);
+    result.values = isSized ? std::move(estimated.values) : std::vector<EventValue>{};
+  }
+  result.sentence = describeEvent(result.event, result.values) + formatAlternatives(tried);
+  return result;
+}
+
 std::optional<LikelyEvent> findLikeliestAt(const FittedModel& fitted, const CandidateTests& candidateTests) {
   std::vector<TransientEvent> events = enumerateEvents(fitted.measurements, fitted.fit);
   const std::vector<TransientEvent> angles = enumerateWrongAngles(fitted);
@@ -298,19 +383,16 @@ std::optional<LikelyEvent> findLikeliestAt(const FittedModel& fitted, const Cand
   if (!isConvincing(fine, rivals)) {
     return std::nullopt;
   }
-  const std::vector<Tried> tried = tryLikeliest(fine, fitted);
-  if (tried.empty()) {
-    return std::nullopt;
+  std::vector<Tried> tried = tryLikeliest(fine, fitted);
+  while (!tried.empty() && !isRatherDrift(tried.front(), fitted)) {
+    if (auto event = tellLikeliest(tried, fine, rivals, fitted)) {
+      return event;
+    }
+    const TransientEvent refuted = tried.front().event;
+    std::erase_if(tried,
+                  [&](const Tried& one) { return isSameThing(one.event, refuted) || !leads(one.bayes, rivals); });
   }
-  const Tried& best = tried.front();
-  if (isMoveAnyhow(best.event) && !explainsMisfit(best, fitted) &&
-      best.bayes < noticed * static_cast<double>(posesAfter(best.event, fitted.measurements))) {
-    return std::nullopt; // rather a sum of small effects that varies with time
-  }
-  const TransientEvent event = best.event.from ? widenEvent(best.event, fine) : best.event;
-  constexpr double mostOdds = 1e12;
-  return LikelyEvent{event, std::min(mostOdds, std::exp((best.bayes - rivals.best()) / 2)),
-                     describeEvent(event, best.values) + formatAlternatives(tried)};
+  return std::nullopt;
 }
 
 } // namespace

@@ -13,7 +13,8 @@ namespace naocal {
 struct LikelyEvent {
   TransientEvent event;
   double odds = 1;
-  std::string sentence; // the event, its size and time, and alternative explanations
+  std::string sentence;                // the event, its size and time, and alternative explanations
+  std::vector<EventValue> values = {}; // of the event's unknowns; empty where only the captures are in doubt
 };
 
 /// The event that explains the misfit best, if far better than chance and than any candidate effect or curve. All

@@ -1,8 +1,8 @@
 #include "diagnosis/anomalies/MendedMeasurements.hpp"
 
 #include "diagnosis/Session.hpp"
-#include "diagnosis/anomalies/SetUps.hpp"
 #include "estimation/ModelBuilder.hpp"
+#include "setups/Mending.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -14,9 +14,10 @@ MendedMeasurements mendMeasurements(const std::shared_ptr<const Measurements>& g
   MendedMeasurements result{given, with, {}};
   if (std::any_of(with.begin(), with.end(), isSetUp)) {
     std::vector<CaptureSet> sets = *given->sets;
-    result.setUps = mendSetUps(result.effects, given->robot, sets);
+    Robot robot = given->robot;
+    result.setUps = mendSetUps(result.effects, robot, sets);
     result.measurements =
-        std::make_shared<const Measurements>(buildMeasurements(std::move(sets), given->robot, given->samePlace));
+        std::make_shared<const Measurements>(buildMeasurements(std::move(sets), robot, given->samePlace));
   }
   return result;
 }

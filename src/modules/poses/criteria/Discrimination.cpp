@@ -2,6 +2,7 @@
 
 #include "calibration/result/Wording.hpp"
 #include "effects/UserEffect.hpp"
+#include "inference/Thresholds.hpp"
 #include "math/LinearAlgebra.hpp"
 
 #include <Eigen/Cholesky>
@@ -33,8 +34,8 @@ Discrimination::Discrimination(const ModelAmbiguity& question, Eigen::Index own)
   for (const Pair& pair : pairs_) {
     sum += pair.weight;
   }
-  for (Pair& pair : pairs_) {
-    pair.weight /= sum;
+  for (Pair& pair : pairs_) { // odds below all numbers: alike
+    pair.weight = sum > 0 ? pair.weight / sum : 1 / static_cast<double>(pairs_.size());
   }
 }
 
@@ -117,7 +118,8 @@ std::string nameHypotheses(const std::vector<Hypothesis>& suspects, std::size_t 
 }
 
 /// Fills `question`: which member of the head's equivalence class is present. False if all its alternatives are
-/// already in the model.
+/// already in the model. As the captures cannot tell the members apart, none is much less likely than the head: the
+/// evidence of an effect with a kink, such as a gear's play, is linearised where it is weakest.
 bool askWhichOne(const Diagnosis& diagnosis, const CandidateFinding& head, ModelAmbiguity& question) {
   std::vector<Hypothesis> suspects;
   std::vector<double> evidence;
@@ -127,7 +129,7 @@ bool askWhichOne(const Diagnosis& diagnosis, const CandidateFinding& head, Model
     const bool taken = std::find(question.with.begin(), question.with.end(), label) != question.with.end();
     if (label == head.term.label() || (twin && !taken)) {
       suspects.push_back({label, finding.evidence.estimate, finding.term.sigmas()});
-      evidence.push_back(finding.evidence.bayes);
+      evidence.push_back(std::max(finding.evidence.bayes, head.evidence.bayes - threshold::equallyLikely));
     }
   }
   if (suspects.size() < 2) {

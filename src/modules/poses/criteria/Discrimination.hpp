@@ -31,7 +31,8 @@ struct ModelAmbiguity {
 
 /// The first open question of a diagnosis, in this order: which effect of an equivalence class is present; whether an
 /// unexplained curve or its best rival in the catalogue is present; whether undecided, then untestable candidates are
-/// present. Odds are exp(evidence / 2), evidence = 2 ln of the Bayes factor.
+/// present. Odds are exp(evidence / 2), evidence = 2 ln of the Bayes factor, at least 1 to 20 within an equivalence
+/// class.
 ModelAmbiguity findAmbiguity(const Diagnosis& diagnosis, const Robot& robot, const DiagnosisOptions& asked);
 
 /// Probabilities from 2 ln Bayes factors: proportional to exp(evidence / 2), sum 1.

@@ -67,9 +67,14 @@ NamedColumn nameColumn(const std::string& name) {
   return column;
 }
 
-/// "q1", "joint_2", "theta3", "axis 4": the number behind a usual word for joints.
+/// Words that say that a column was measured, and not what.
+const std::set<std::string> measuredWords{"actual", "measured", "meas", "current", "real"};
+
+/// "q1", "joint_2", "theta3", "axis 4", "actual_q_0": the number behind a usual word for joints.
 std::optional<int> jointNumber(const NamedColumn& column) {
-  const std::string name = fmt::format("{}", fmt::join(column.words, ""));
+  const bool isMeasured = column.words.size() > 1 && measuredWords.contains(column.words.front());
+  const std::string name =
+      fmt::format("{}", fmt::join(column.words.begin() + (isMeasured ? 1 : 0), column.words.end(), ""));
   const auto digit = std::find_if(name.begin(), name.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
   static const std::set<std::string> usual{"q",     "j",          "joint", "theta",         "axis",     "a",
                                            "angle", "jointangle", "jnt",   "jointposition", "position", "pos"};
@@ -96,8 +101,11 @@ std::string timeUnitOf(double largest) {
 class Guesser {
 public:
   Guesser(const CsvTable& table, const Robot& robot) : table_{table}, robot_{robot} {
+    std::set<std::string> known;
     for (const std::string& name : table.names()) {
-      columns_.push_back(nameColumn(name));
+      if (known.insert(name).second) {
+        columns_.push_back(nameColumn(name));
+      }
     }
   }
 
@@ -110,6 +118,9 @@ public:
       refuseWithoutJoints();
     }
     guessMeasuredPositions();
+    if (map_.points.empty() && map_.frames.empty()) {
+      guessNumberedPosition();
+    }
     guessOthers();
     ColumnGuess guess{std::move(map_), {}};
     for (const NamedColumn& column : columns_) {
@@ -218,6 +229,39 @@ private:
     return nullptr;
   }
 
+  /// Whether columns "<stem>x", .. are no position: turns, forces, speeds. "tx" and "mx", unlike a marker's "m_x", are
+  /// torques beside a force "fx". `name`: of the first column, in words.
+  bool isNoPosition(const std::string& stem, const std::string& name) const {
+    static const std::set<std::string> usual{"r",      "rot",    "rotation", "rotvec", "rvec",        "aa",
+                                             "axis",   "euler",  "rpy",      "f",      "force",       "torque",
+                                             "moment", "wrench", "v",        "vel",    "velocity",    "w",
+                                             "omega",  "gyro",   "acc",      "accel",  "acceleration"};
+    const std::string last = stem.substr(stem.rfind('_') + 1), before = stem.substr(0, stem.size() - last.size());
+    const bool mayBeTorque = last == "t" || (last == "m" && name == stem + "x");
+    return usual.contains(last) || (mayBeTorque && find(before + "f", "x") != nullptr);
+  }
+
+  /// The three columns of a position that are numbered from 0 or 1 in a pose such as "actual_TCP_pose_0" to "_5".
+  void guessNumberedPosition() {
+    static const std::set<std::string> usual{"pose", "position", "xyz", "tcp"};
+    for (const NamedColumn& first : columns_) {
+      if (used_.contains(first.name) || first.words.size() < 2 ||
+          !usual.contains(first.words[first.words.size() - 2]) ||
+          (first.words.back() != "0" && first.words.back() != "1")) {
+        continue;
+      }
+      std::vector<std::string> words{first.words.begin(), first.words.end() - 1};
+      const std::string stem = joined(words);
+      const int number = std::stoi(first.words.back());
+      const NamedColumn *y = find(stem, std::to_string(number + 1)), *z = find(stem, std::to_string(number + 2));
+      if (y != nullptr && z != nullptr) {
+        words.erase(words.begin(), words.begin() + (words.size() > 1 && measuredWords.contains(words.front()) ? 1 : 0));
+        addPosition(joined(words), {&first, y, z});
+        return;
+      }
+    }
+  }
+
   /// Points and frames: stems of columns that end with x.
   void guessMeasuredPositions() {
     for (const NamedColumn& x : columns_) {
@@ -231,7 +275,7 @@ private:
         stem.pop_back();
       }
       const NamedColumn *y = find(stem, "y"), *z = find(stem, "z");
-      if (y != nullptr && z != nullptr) {
+      if (y != nullptr && z != nullptr && !isNoPosition(stem, name)) {
         addPosition(stem, {&x, y, z});
       }
     }
@@ -285,6 +329,9 @@ private:
 
   /// Whether all cells but empty ones, and at least one, are names of picture files.
   bool namesPictures(const std::string& name) const {
+    if (!table_.isUnique(name)) {
+      return false;
+    }
     const std::size_t column = table_.column(name);
     std::size_t pictures = 0;
     for (std::size_t row = 0; row < table_.rows(); ++row) {

@@ -12,7 +12,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <memory>
-#include <set>
 
 namespace naocal {
 
@@ -44,13 +43,55 @@ std::string toUtf8(const std::string& latin) {
   return text;
 }
 
-/// The separator that the first line has most of.
+/// Number of words between spaces.
+std::size_t countWords(std::string_view line) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const bool isBlank = line[i] == ' ' || line[i] == '\r';
+    count += !isBlank && (i == 0 || line[i - 1] == ' ') ? 1 : 0;
+  }
+  return count;
+}
+
+std::string_view lineAt(std::string_view text, std::size_t begin) {
+  return text.substr(begin, text.find('\n', begin) - begin);
+}
+
+/// The separator that the first line has most of. Spaces, if it has no other and the second line has as many words.
 char separatorOf(std::string_view text) {
-  const std::string_view line = text.substr(0, text.find('\n'));
+  const std::string_view line = lineAt(text, 0);
   constexpr std::array candidates{',', ';', '\t'};
+  const bool hasOther =
+      std::any_of(candidates.begin(), candidates.end(), [&](char one) { return line.find(one) != line.npos; });
+  if (!hasOther && line.size() < text.size()) {
+    const std::size_t words = countWords(line);
+    if (words > 1 && words == countWords(lineAt(text, line.size() + 1))) {
+      return ' ';
+    }
+  }
   return *std::max_element(candidates.begin(), candidates.end(), [&](char one, char other) {
     return std::count(line.begin(), line.end(), one) < std::count(line.begin(), line.end(), other);
   });
+}
+
+/// The text with one space between words, and none at the ends of lines.
+std::string withSingleSpaces(std::string_view text) {
+  std::string result;
+  result.reserve(text.size());
+  for (const char letter : text) {
+    const bool isEnd = letter == '\n' || letter == '\r';
+    if (isEnd && !result.empty() && result.back() == ' ') {
+      result.pop_back();
+    }
+    const bool isLeading = result.empty() || result.back() == '\n' || result.back() == ' ';
+    if (letter != ' ' || !isLeading) {
+      result += letter;
+    }
+  }
+  if (!result.empty() && result.back() == ' ') {
+    result.pop_back();
+  }
+  return result;
 }
 
 /// Rows as the parser hands them out.
@@ -108,7 +149,9 @@ CsvTable::CsvTable(const std::string& text, std::string file) : file_{std::move(
     }
   }
   separator_ = separatorOf(content);
-  std::vector<std::vector<std::string>> rows = parseRows(content, separator_, file_).rows;
+  const std::string spaced = separator_ == ' ' ? withSingleSpaces(content) : "";
+  std::vector<std::vector<std::string>> rows =
+      parseRows(separator_ == ' ' ? std::string_view{spaced} : content, separator_, file_).rows;
   if (rows.empty()) {
     throw InputError{fmt::format("{}: expected a row of column names, found an empty file", file_)};
   }
@@ -127,16 +170,15 @@ CsvTable::CsvTable(const std::string& text, std::string file) : file_{std::move(
 }
 
 void CsvTable::checkNames() const {
-  std::set<std::string> known;
   for (std::size_t i = 0; i < names_.size(); ++i) {
     if (names_[i].empty()) {
       throw InputError{fmt::format("{}, row 1: expected a name for column {}, found none", file_, i + 1)};
     }
-    if (!known.insert(names_[i]).second) {
-      throw InputError{fmt::format("{}, row 1: expected a name for each column, found \"{}\" twice", file_,
-                                   printableText(names_[i], 80))};
-    }
   }
+}
+
+bool CsvTable::isUnique(const std::string& name) const {
+  return std::count(names_.begin(), names_.end(), name) == 1;
 }
 
 std::size_t CsvTable::column(const std::string& name) const {
@@ -145,6 +187,10 @@ std::size_t CsvTable::column(const std::string& name) const {
     throw InputError{
         fmt::format("{}: expected a column \"{}\", found {}", file_, printableText(name, 80),
                     printableText(fmt::format("{}", fmt::join(closestNames(name, names_, 8), ", ")), 400))};
+  }
+  if (std::find(found + 1, names_.end(), name) != names_.end()) {
+    throw InputError{fmt::format("{}, row 1: expected one column \"{}\", as it is used, found two; rename one", file_,
+                                 printableText(name, 80))};
   }
   return static_cast<std::size_t>(found - names_.begin());
 }

@@ -12,18 +12,20 @@ inline constexpr std::size_t mostTableColumns = 2000;
 /// A table of text cells below a row of names.
 class CsvTable {
 public:
-  /// Parses comma-separated values (RFC 4180). Also accepts what spreadsheets and numpy write: semicolons or tabs
-  /// instead of commas, a byte order mark, ISO 8859-1 instead of UTF-8, "# " before the names. Throws InputError with
-  /// `file`, row, expected and found: no names, a repeated or an empty name, rows of another length, broken quotes, too
-  /// many rows or columns.
+  /// Parses comma-separated values (RFC 4180). Also accepts what spreadsheets and numpy write: semicolons, tabs
+  /// or spaces instead of commas, a byte order mark, ISO 8859-1 instead of UTF-8, "# " before the names. Throws
+  /// InputError with `file`, row, expected and found: no names, an empty name, rows of another length, broken quotes,
+  /// too many rows or columns.
   CsvTable(const std::string& text, std::string file);
 
   const std::string& file() const { return file_; }
   const std::vector<std::string>& names() const { return names_; }
   std::size_t rows() const { return cells_.size(); }
 
-  /// Index of the column of this name. Throws InputError naming the closest names.
+  /// Index of the column of this name. Throws InputError naming the closest names, and for a name of two columns.
   std::size_t column(const std::string& name) const;
+  /// Whether one column alone has this name.
+  bool isUnique(const std::string& name) const;
 
   const std::string& text(std::size_t row, std::size_t column) const { return cells_[row][column]; }
   /// The cell as number; absent if it is empty or "nan". A decimal comma is accepted where commas do not separate.

@@ -4,11 +4,14 @@
 #include "io/GreyImage.hpp"
 #include "io/InputError.hpp"
 #include "math/Angles.hpp"
+#include "measurements/FailedReadings.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <limits>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
@@ -19,6 +22,17 @@ namespace {
 constexpr double largestAngle = 4 * std::numbers::pi; // of a joint with limits [rad]
 constexpr double largestDistance = 1000;              // from a tracker [m]
 constexpr double quaternionTolerance = 0.01;          // of its length
+
+/// "rows 7, 19, 25": counted from 1, the names' row included; the first twenty.
+std::string listRows(const std::vector<std::size_t>& rows) {
+  constexpr std::size_t most = 20;
+  std::vector<std::size_t> numbers;
+  for (std::size_t i = 0; i < std::min(most, rows.size()); ++i) {
+    numbers.push_back(rows[i] + 2);
+  }
+  return fmt::format("{} {}{}", rows.size() == 1 ? "row" : "rows", fmt::join(numbers, ", "),
+                     rows.size() > most ? ", .." : "");
+}
 
 /// Columns of a recorded joint.
 struct JointReader {
@@ -61,10 +75,13 @@ public:
       Capture capture = readCapture(row, result.imported);
       if (capture.image.empty() && capture.points.empty() && capture.frames.empty()) {
         ++result.withoutMeasurement;
+        result.passedOver.push_back(row);
       } else {
         result.imported.set.captures.push_back(std::move(capture));
+        rows_.push_back(row);
       }
     }
+    leaveOutFailed(result);
     if (result.imported.set.captures.empty()) {
       throw InputError{
           fmt::format("{}: expected rows with a picture, a measured point or a measured frame, found none; "
@@ -78,6 +95,23 @@ public:
   }
 
 private:
+  /// Leaves out readings that are none, and captures in which nothing remains.
+  void leaveOutFailed(TableImport& result) const {
+    CaptureSet& set = result.imported.set;
+    const std::vector<FailedReadings> failed = findFailedReadings(set, scene_.robot);
+    for (const FailedReadings& one : failed) {
+      std::vector<std::size_t> rows;
+      for (const std::size_t capture : one.captures) {
+        rows.push_back(rows_[capture]);
+      }
+      result.failed.push_back(describeFailedReadings(one, listRows(rows)));
+    }
+    removeFailedReadings(failed, set);
+    std::erase_if(set.captures, [](const Capture& capture) {
+      return capture.image.empty() && capture.points.empty() && capture.frames.empty();
+    });
+  }
+
   JointReader makeReader(const Joint& joint, const JointColumn& column) const {
     const double unit = joint.isPrismatic ? *metresPer(column.unit) : column.unit == "deg" ? radians(1.0) : 1;
     const auto temperature = map_.temperature.find(joint.name);
@@ -126,6 +160,7 @@ private:
 
   Capture readCapture(std::size_t row, ImportedSet& imported) {
     Capture capture;
+    capture.source = std::make_shared<const nlohmann::json>(nlohmann::json::object()); // recorded, though in no set yet
     capture.id = static_cast<int>(imported.set.captures.size());
     capture.supportFoot = SupportFoot::none;
     capture.time = Seconds{static_cast<double>(row)};
@@ -244,10 +279,18 @@ private:
       }
     }
     for (const FrameColumns& frame : map_.frames) {
-      if (const auto xyz = readPosition(row, frame.columns, frame.unit)) {
+      const auto xyz = readPosition(row, frame.columns, frame.unit);
+      if (xyz && hasRotation(row, frame)) {
         capture.frames.push_back({frame.tracker, frame.frame, *xyz, readQuaternion(row, frame)});
       }
     }
+  }
+
+  /// False if all four numbers are 0, or none is given.
+  bool hasRotation(std::size_t row, const FrameColumns& frame) const {
+    return std::any_of(frame.quaternion.begin(), frame.quaternion.end(), [&](const std::string& name) {
+      return table_.number(row, table_.column(name)).value_or(0) != 0;
+    });
   }
 
   Eigen::Quaterniond readQuaternion(std::size_t row, const FrameColumns& frame) const {
@@ -293,8 +336,9 @@ private:
   const ImportScene& scene_;
   std::filesystem::path pictures_;
   std::vector<JointReader> joints_;
-  std::optional<double> start_; // time of the first row, in the table's unit
-  std::size_t poses_ = 0;       // named so far
+  std::optional<double> start_;   // time of the first row, in the table's unit
+  std::size_t poses_ = 0;         // named so far
+  std::vector<std::size_t> rows_; // of the captures
 };
 
 } // namespace
@@ -307,8 +351,10 @@ TableImport importTable(const CsvTable& table, const ColumnMap& map, const Impor
 std::vector<std::string> summarize(const TableImport& result) {
   std::vector<std::string> lines{fmt::format("{} rows, {} captures", result.rows, result.imported.set.captures.size())};
   if (result.withoutMeasurement > 0) {
-    lines.push_back(fmt::format("{} rows passed over: no picture, no measured position", result.withoutMeasurement));
+    lines.push_back(fmt::format("{} rows passed over: no picture, no measured position ({})", result.withoutMeasurement,
+                                listRows(result.passedOver)));
   }
+  lines.insert(lines.end(), result.failed.begin(), result.failed.end());
   return lines;
 }
 

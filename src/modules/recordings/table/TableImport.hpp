@@ -12,7 +12,9 @@ namespace naocal {
 struct TableImport {
   ImportedSet imported; // with the column map as "columns.json"
   std::size_t rows = 0;
-  std::size_t withoutMeasurement = 0; // rows that were passed over: no picture, no position
+  std::size_t withoutMeasurement = 0;       // rows that were passed over: no picture, no position
+  std::vector<std::size_t> passedOver = {}; // these rows
+  std::vector<std::string> failed = {};     // readings that are none (`findFailedReadings`), a sentence each
 };
 
 /// One capture for each row with a picture, a measured point or a measured frame.
@@ -20,7 +22,8 @@ struct TableImport {
 /// Without a column for poses, neighbouring rows with equal angles are one pose, and every other row has its own; with
 /// one, a pose's rows are repeats of it where it has no column for repeats: a new one whenever the angles differ from
 /// those of the row before. Repeats of other angles were approached anew; those of equal angles in neighbouring rows
-/// are one rest. Pictures are looked for in `pictures`.
+/// are one rest. Pictures are looked for in `pictures`. A position whose quaternion is 0, 0, 0, 0 or empty is no
+/// reading, nor are those that `findFailedReadings` finds: they are left out.
 ///
 /// Throws InputError with table, row, column, expected and found: missing columns, cells that are no numbers, angles
 /// beyond two turns of a limited joint in radians (degrees?), positions beyond 1 km, positions of which a coordinate is

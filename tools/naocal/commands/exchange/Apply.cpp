@@ -160,7 +160,9 @@ void refuseToWrite(const std::filesystem::path& file, std::string_view) {
 }
 
 void apply(const ApplyCommand& command) {
-  const LoadedCalibration loaded = loadCalibration(command.result, command.posture);
+  PostureOptions posture = command.posture;
+  posture.force |= command.undo; // writes nothing of the result
+  const LoadedCalibration loaded = loadCalibration(command.result, posture);
   const ConfigurationFolders folders = foldersOf(command.configuration);
   try {
     const RobotNames names = namesOf(command, loaded.calibration, folders);
@@ -213,13 +215,15 @@ void apply(const ApplyCommand& command) {
 
 } // namespace
 
-void addApply(CLI::App& app) {
+void addApply(CLI::App& app, int& exitCode) {
   auto command = std::make_shared<ApplyCommand>();
   CLI::App* applier = app.get_subcommand("apply");
-  applier->footer("Example: naocal apply result.json --configuration home/configuration\n"
-                  "Shows what changes, then writes both files or none.\n"
-                  "Joints that are less than 50 % learned keep their values.\n"
-                  "To take effect: copy the files to the robot if they are elsewhere, then restart naocal-robot.");
+  applier->footer(
+      "Example: naocal apply result.json --configuration home/configuration\n"
+      "Shows what changes, then writes both files or none.\n"
+      "Joints that are less than 50 % learned keep their values. A result that should not be used is refused\n"
+      "(exit code 3, the reasons on standard error).\n"
+      "To take effect: copy the files to the robot if they are elsewhere, then restart naocal-robot.");
   applier->add_option("RESULT", command->result, "a result of 'naocal solve', or a file of 'naocal import'")
       ->type_name("FILE")
       ->required();
@@ -242,7 +246,7 @@ void addApply(CLI::App& app) {
   applier->add_option("--json", command->json, "write what changes as JSON to a file, or - for standard output")
       ->type_name("FILE")
       ->check(replaceableFile("naocal-apply"));
-  applier->callback([command] { apply(*command); });
+  applier->callback([command, &exitCode] { exitCode = writeUnlessRefused([&] { apply(*command); }); });
 }
 
 } // namespace naocal

@@ -105,7 +105,7 @@ std::string dialectHelp() {
 
 } // namespace
 
-void addExport(CLI::App& app) {
+void addExport(CLI::App& app, int& exitCode) {
   auto command = std::make_shared<ExportCommand>();
   CLI::App* exporter = app.get_subcommand("export");
   exporter->footer("Example: naocal export result.json --to bhuman -o Config/Robots/nao21\nDialects:" + dialectHelp());
@@ -125,14 +125,16 @@ void addExport(CLI::App& app) {
   exporter->add_option("--camera", command->camera, "the head's camera, where the robot carries several")
       ->type_name("NAME");
   addPostureOptions(*exporter, command->posture);
-  exporter->callback([command] {
-    if (const HeadDialect* head = findHeadDialect(command->dialect)) {
-      exportHead(*head, command->result, command->posture, command->camera, command->output);
-    } else if (command->dialect == urdfDialect) {
-      exportUrdf(command->result, command->posture, command->output);
-    } else {
-      exportCalibration(*command);
-    }
+  exporter->callback([command, &exitCode] {
+    exitCode = writeUnlessRefused([&] {
+      if (const HeadDialect* head = findHeadDialect(command->dialect)) {
+        exportHead(*head, command->result, command->posture, command->camera, command->output);
+      } else if (command->dialect == urdfDialect) {
+        exportUrdf(command->result, command->posture, command->output);
+      } else {
+        exportCalibration(*command);
+      }
+    });
   });
 }
 

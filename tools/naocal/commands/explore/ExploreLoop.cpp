@@ -5,7 +5,6 @@
 #include "console/print/PrintDiagnosis.hpp"
 #include "console/print/PrintText.hpp"
 
-#include "calibration/Calibration.hpp"
 #include "calibration/Prediction.hpp"
 #include "diagnosis/DiagnosisWording.hpp"
 #include "estimation/ModelBuilder.hpp"
@@ -13,6 +12,7 @@
 #include "io/InputError.hpp"
 #include "poses/PoseFile.hpp"
 #include "scenes/SceneNextPoses.hpp"
+#include "setups/CheckedCalibration.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -169,6 +169,9 @@ void ExploreLoop::printCandidates(std::size_t rows) const {
   for (const DataAnomaly& anomaly : latest_.anomalies) {
     printText("suspected: {}{}\n", anomaly.why, anomaly.setUp.empty() ? "" : "  (mend it: add " + anomaly.setUp + ")");
   }
+  for (const std::string& note : latest_.notes) {
+    printText("note: {}\n", note);
+  }
   naocal::printCandidates(latest_, rows, true);
 }
 
@@ -194,7 +197,7 @@ Json ExploreLoop::solvedJson(const ResultSources& inputs) const {
   const ModelRevision& rung = session_.current();
   const Measurements& measurements = *mended_.measurements;
   const Model model = buildModel(measurements, mended_.effects, rung.without, effects(rung));
-  const CalibrationResult result = calibrate(measurements, model);
+  const CalibrationResult result = calibrateChecked(measurements, model);
   return resultJson({measurements, model, result}, inputs);
 }
 

@@ -127,7 +127,7 @@ void printCalibration(const FittedModel& fitted) {
               outlier.whole
                   ? fmt::format("{} corners together", outlier.corners.size())
                   : fmt::format("{} corner{}", outlier.corners.size(), outlier.corners.size() == 1 ? "" : "s"),
-              outlier.distance, outlier.whole ? ": was the board moved or the robot touched?" : "");
+              outlier.distance, outlier.whole && !outlier.move ? ": was the board moved or the robot touched?" : "");
   }
   for (const DoubtfulReading& reading : fitted.fit.doubtfulReadings) {
     const ImageObservation& picture = fitted.measurements.pictures[reading.picture];

@@ -143,6 +143,12 @@ void printDiagnosis(const Diagnosis& diagnosis, const GivenOptions& asked) {
   for (const DataAnomaly& suspicion : diagnosis.anomalies) {
     printText("  suspicious: {}\n", suspicion.why);
   }
+  for (const std::string& note : diagnosis.notes) {
+    printText("  note: {}\n", note);
+  }
+  if (const auto setUps = mendableSetUps(diagnosis); !setUps.empty()) {
+    printText("\nmend it:  naocal solve {} -o result.json\n", asked.commandLine(setUps));
+  }
   if (!diagnosis.suggested.empty() && !diagnosis.own) {
     printText("\nadd it:  naocal solve {} -o result.json\n", asked.commandLine(diagnosis.suggested));
   }

@@ -1,0 +1,178 @@
+#include "calibration/result/Determination.hpp"
+
+#include "calibration/result/Wording.hpp"
+#include "effects/Catalogue.hpp"
+#include "inference/Thresholds.hpp"
+#include "io/Units.hpp"
+#include "math/LinearAlgebra.hpp"
+#include "measurements/JointMotion.hpp"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace naocal {
+
+namespace {
+
+/// Whether a term is a camera's mount.
+bool isMount(const Term& term) {
+  return term.effect.name == effectName::cameraRotation || term.effect.name == effectName::cameraTranslation;
+}
+
+/// Whether a term can do what an offset does: an unknown placement, a camera's mount, or the drawing's step to a joint.
+bool canImitate(const Term& term) {
+  return term.isPlacement || term.effect.name == effectName::linkGeometry || isMount(term);
+}
+
+bool isOffset(const Term& term) {
+  return term.effect.name == effectName::jointOffset;
+}
+
+bool isAsked(const Term& term) {
+  return term.requested && !term.isPlacement;
+}
+
+/// The imitator that an offset is most correlated with.
+const Term* findImitator(const Model& model, const CalibrationResult& result, const Term& offset) {
+  const auto own = static_cast<Eigen::Index>(offset.first);
+  const Term* best = nullptr;
+  double most = 0;
+  for (const Term& term : model.terms()) {
+    for (std::size_t i = 0; i < term.effect.unknowns.size() && canImitate(term); ++i) {
+      const auto other = static_cast<Eigen::Index>(term.first + i);
+      const double share = std::abs(result.covariance(own, other)) / std::sqrt(result.covariance(other, other));
+      if (share > most) {
+        most = share;
+        best = &term;
+      }
+    }
+  }
+  return best;
+}
+
+/// Standard error of an unknown if those of the terms that meet a condition were known.
+template <class Condition> double sigmaGiven(const FittedModel& fitted, std::size_t unknown, const Condition& isKnown) {
+  std::vector<Eigen::Index> known;
+  for (const Term& term : fitted.model.terms()) {
+    for (std::size_t i = term.first; i < term.first + term.effect.unknowns.size() && isKnown(term); ++i) {
+      if (i != unknown) {
+        known.push_back(eigenIndex(i));
+      }
+    }
+  }
+  const auto own = eigenIndex(unknown);
+  const Eigen::MatrixXd& covariance = fitted.fit.covariance;
+  if (known.empty()) {
+    return std::sqrt(covariance(own, own));
+  }
+  const Eigen::VectorXd scales = covariance.diagonal()(known).cwiseSqrt();
+  const Eigen::MatrixXd among =
+      scales.cwiseInverse().asDiagonal() * covariance(known, known) * scales.cwiseInverse().asDiagonal();
+  const Eigen::VectorXd with = covariance.col(own)(known).cwiseQuotient(scales);
+  const double left = covariance(own, own) - with.dot(among.completeOrthogonalDecomposition().solve(with));
+  return std::sqrt(std::max(0.0, left));
+}
+
+bool isLearned(const FittedModel& fitted, std::size_t unknown) {
+  return fitted.fit.estimates[unknown].learned >= threshold::learned;
+}
+
+/// Whether an unknown of a term would be learned if those of the terms that meet a condition were known.
+template <class Condition>
+bool isLearnedGiven(const FittedModel& fitted, const Term& term, std::size_t i, const Condition& isKnown) {
+  return sigmaGiven(fitted, term.first + i, isKnown) < (1 - threshold::learned) * term.effect.unknowns[i].sigma;
+}
+
+/// Joints that stand still, if their offsets were asked for and one of them is not learned.
+void addStillJoints(const FittedModel& fitted, std::vector<std::string>& sentences) {
+  std::vector<std::string> names;
+  bool isUnknown = false;
+  for (const Term& term : fitted.model.terms()) {
+    if (isOffset(term) && isAsked(term) && isStill(term.placeIndex, fitted.measurements)) {
+      names.push_back(describeUnknown(term, 0));
+      isUnknown |= !isLearned(fitted, term.first);
+    }
+  }
+  if (isUnknown) {
+    const bool single = names.size() == 1;
+    sentences.push_back(
+        fmt::format("{} joint{} never moved: {}; without motion no offset can be learned: add poses that "
+                    "move {}, or leave {} out",
+                    names.size(), single ? "" : "s", joinWords(names), single ? "it" : "them",
+                    single ? "its offset" : "their offsets"));
+  }
+}
+
+void addOffset(const FittedModel& fitted, const Term& term, std::vector<std::string>& sentences) {
+  constexpr double far = 0.3; // [rad, m]: a joint that moves so far would show, if what is measured moved with it
+  const Estimate& estimate = fitted.fit.estimates[term.first];
+  sentences.push_back(
+      fmt::format("{} cannot be learned from these captures ({:.0f} % learned, ±{}): "
+                  "{}, or leave it out with --without {}",
+                  describeUnknown(term, 0), 100 * estimate.learned, formatSigma(term, estimate.sigma),
+                  motionOf(term.placeIndex, fitted.measurements) < far
+                      ? "add poses that move it"
+                      : "it moves, but what is measured hardly moves with it; measure something further from its axis",
+                  term.label()));
+}
+
+/// A camera's mount or another effect, as far as the captures do not tell it.
+void addEffect(const FittedModel& fitted, const Term& term, std::vector<std::string>& sentences) {
+  std::vector<std::string> names;
+  double most = 0;
+  for (std::size_t i = 0; i < term.effect.unknowns.size(); ++i) {
+    if (!isLearned(fitted, term.first + i) && !isLearnedGiven(fitted, term, i, isAsked)) {
+      names.push_back(describeUnknown(term, i));
+      most = std::max(most, fitted.fit.estimates[term.first + i].learned);
+    }
+  }
+  const bool isWhole = isMount(term) && !fitted.measurements.quantities.scene().hasLinkSteps;
+  if (!names.empty() && (isWhole || names.size() == term.effect.unknowns.size())) {
+    sentences.push_back(fmt::format("{} cannot be learned from these captures ({}{:.0f} % learned): add poses in which "
+                                    "{} shows, or leave {} out",
+                                    joinWords(names), names.size() == 1 ? "" : "at most ", 100 * most,
+                                    names.size() == 1 ? "it" : "each", term.label()));
+  }
+}
+
+} // namespace
+
+HeldOffsets findHeldOffsets(const FittedModel& fitted) {
+  HeldOffsets held;
+  for (const Term& term : fitted.model.terms()) {
+    if (!fitted.measurements.quantities.scene().hasLinkSteps || !isOffset(term) || isLearned(fitted, term.first) ||
+        isStill(term.placeIndex, fitted.measurements) || !isLearnedGiven(fitted, term, 0, canImitate)) {
+      continue;
+    }
+    if (const Term* const imitator = findImitator(fitted.model, fitted.fit, term)) {
+      held.emplace(term.first, imitator);
+    }
+  }
+  return held;
+}
+
+std::vector<std::string> listUndetermined(const FittedModel& fitted, const HeldOffsets& held) {
+  std::vector<std::string> sentences;
+  addStillJoints(fitted, sentences);
+  for (const Term& term : fitted.model.terms()) {
+    if (!isAsked(term)) {
+      continue;
+    }
+    if (!isOffset(term)) {
+      addEffect(fitted, term, sentences);
+    } else if (!isLearned(fitted, term.first) && !held.contains(term.first) &&
+               !isStill(term.placeIndex, fitted.measurements)) {
+      addOffset(fitted, term, sentences);
+    }
+  }
+  return sentences;
+}
+
+std::string formatSigma(const Term& offset, double sigma) {
+  const auto [unit, factor] = displayUnit(offset.effect.unknowns.front().unit);
+  return appendUnit(fmt::format("{:.1f}", factor * sigma), unit);
+}
+
+} // namespace naocal
