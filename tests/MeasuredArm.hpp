@@ -28,7 +28,9 @@ inline const std::string measuredArmUrdf = R"(<robot name="arm">
 /// What an arm's captures hold.
 struct ArmReadings {
   bool points = true, frames = true, contacts = true, corners = false;
-  double gain = 0;                          // of the encoder of "lift": an effect that the base model lacks
+  double gain = 0;     // of the encoder of "lift": an effect that the base model lacks
+  double jump = 0;     // of the zero of "turn" in the middle of the captures [rad]; no smooth effect
+  bool column = false; // "turn" is a slide, along which the arm moves up and down
   std::array<double, 4> motion{1, 1, 1, 1}; // of each joint, relative to the usual
 };
 
@@ -36,7 +38,11 @@ struct ArmReadings {
 /// a camera beside the arm, each with noise. The zeros of "lift" and "slide" are off.
 inline void writeArmSet(const std::filesystem::path& folder, const ArmReadings& holds = {}) {
   using nlohmann::json;
-  const Robot robot = parseUrdf(measuredArmUrdf, "arm.urdf");
+  std::string urdf = measuredArmUrdf;
+  if (holds.column) {
+    urdf.replace(urdf.find("revolute"), std::string{"revolute"}.size(), "prismatic");
+  }
+  const Robot robot = parseUrdf(urdf, "arm.urdf");
   const RigidTransform worldFromTracker = transformFromPlacement((Twist{} << 1, -2, 0.5, 0.2, -0.3, 0.4).finished()),
                        handFromFrame = transformFromPlacement((Twist{} << 0.02, 0.03, 0.1, 0.4, 0.2, -1).finished());
   const Eigen::Vector3d ball{0.03, -0.02, 0.12}, tip{-0.05, 0.02, 0.1};
@@ -83,6 +89,7 @@ inline void writeArmSet(const std::filesystem::path& folder, const ArmReadings& 
     read = read.cwiseProduct(Eigen::Vector4d{holds.motion.data()}) + Eigen::Vector4d{0, 0, 0.15, 0};
     Eigen::Vector4d there = read - zeros;
     there[1] -= holds.gain * read[1];
+    there[0] -= i >= 15 ? holds.jump : 0;
     const RigidTransform hand = forwardKinematics(robot, Eigen::VectorXd{there})[*robot.linkIndex("hand")];
     json capture{{"id", i},     {"pose", "P" + std::to_string(i)},
                  {"repeat", 0}, {"time", 2.0 * i},
@@ -123,7 +130,7 @@ inline void writeArmSet(const std::filesystem::path& folder, const ArmReadings& 
     set["captures"].push_back(std::move(capture));
   }
   std::filesystem::create_directories(folder);
-  writeAtomically(folder / "arm.urdf", measuredArmUrdf);
+  writeAtomically(folder / "arm.urdf", urdf);
   writeAtomically(folder / "captures.json", set.dump());
 }
 

@@ -54,6 +54,9 @@ CalibrationOptions readOptions(const Keywords& given) {
   given.take("pixel_noise", options.noise.pixel, 0.001, 100.0);
   given.take("encoder_noise", options.noise.encoder, 1e-7, 0.1);
   given.take("pose_noise", options.noise.pose, 0.0, 0.1);
+  if (given.has("tolerance")) {
+    given.take("tolerance", options.tolerance.emplace(), 1e-6, 10.0);
+  }
   given.take("stance_noise", options.noise.stance, 0.0, 0.1);
   options.pixelGiven = given.has("pixel_noise");
   return options;
@@ -127,6 +130,23 @@ template <class Get> auto viewSighting(const Get& get) {
   return [get](const py::object& self) { return viewOf(get(self.cast<const SightingHandle&>()), self); };
 }
 
+py::object describeShoulder(const EstimateHandle& self) {
+  if (!self.estimate.averaged || !self.estimate.averaged->shoulder) {
+    return py::none();
+  }
+  const Shoulder& shoulder = *self.estimate.averaged->shoulder;
+  return py::dict("effects"_a = shoulder.effects, "weight"_a = shoulder.weight, "value"_a = shoulder.value);
+}
+
+py::object describeTask(const Solved& self) {
+  if (!self.fit.task) {
+    return py::none();
+  }
+  const Task& task = *self.fit.task;
+  return py::dict("what"_a = task.what, "unit"_a = "m", "sigma"_a = task.sigma, "bound"_a = task.bound,
+                  "tolerance"_a = task.tolerance);
+}
+
 void bindEstimate(py::module_& module) {
   py::class_<EstimateHandle>(module, "Estimate", "Estimate of one unknown, in `unit`.")
       .def_property_readonly(
@@ -143,6 +163,15 @@ void bindEstimate(py::module_& module) {
       .def_property_readonly(
           "interval", [](const EstimateHandle& self) { return self.estimate.interval(); },
           "95 % interval of `best`: [low, high].")
+      .def_property_readonly(
+          "bound",
+          [](const EstimateHandle& self) {
+            const auto& averaged = self.estimate.averaged;
+            return averaged ? std::optional{averaged->bound} : std::nullopt;
+          },
+          "99.95 % bound of `best`: [low, high]; None where it is no average.")
+      .def_property_readonly("shoulder", describeShoulder,
+                             "What alone makes `bound` much wider: {'effects', 'weight', 'value'}, or None.")
       .def_property_readonly(
           "learned", [](const EstimateHandle& self) { return self.estimate.learned; },
           "1 - posterior sigma / prior sigma: 0 where the captures tell nothing.")
@@ -255,6 +284,8 @@ void bindFit(py::class_<Solved, SharedSolved>& result) {
       .def_property_readonly(
           "floor_error_at_2m", [](const Solved& self) { return self.fit.floorErrorAt2m; },
           "1-sigma error of a floor point 2 m ahead [m]; 0 without floor boards.")
+      .def_property_readonly("task", describeTask,
+                             "Error at the task: {'what', 'unit', 'sigma', 'bound', 'tolerance'}, or None.")
       .def_property_readonly("iterations", [](const Solved& self) { return self.fit.iterations; })
       .def_property_readonly("seconds", [](const Solved& self) { return self.fit.seconds; });
 }

@@ -1,5 +1,5 @@
 #include "calibration/Calibration.hpp"
-#include "calibration/Uncertainty.hpp"
+#include "calibration/LevelSpread.hpp"
 #include "estimation/ModelBuilder.hpp"
 #include "math/Angles.hpp"
 #include "simulation/Simulation.hpp"

@@ -46,4 +46,16 @@ TEST_CASE("several names are joined as in a sentence") {
   CHECK(joinWords({"a", "b", "c"}) == "a, b and c");
 }
 
+TEST_CASE("an unlikely explanation is said with the value that it has, or the range that it leaves") {
+  // Proves units, decimals of the standard error, and both forms; nothing is said without such an explanation.
+  Averaged averaged{.value = 0.01, .sigma = 0.002, .bound = {-0.03, 0.02}};
+  CHECK(formatShoulder("LKneePitch", "rad", averaged).empty());
+  averaged.shoulder = Shoulder{{"elasticity@LKneePitch"}, {}, 0.03, -0.02};
+  CHECK(formatShoulder("LKneePitch", "rad", averaged) ==
+        "LKneePitch may be -1.15° (3 %) if elasticity@LKneePitch is missing; 99.95 % bound -1.72° to 1.15°");
+  averaged.shoulder = Shoulder{{"a@b", "c@d"}, {"e@f"}, 0.0004, 0.011};
+  CHECK(formatShoulder("slide", "m", averaged) ==
+        "slide may lie from -30.0 mm to 20.0 mm (99.95 %) if a@b and c@d are missing and not e@f (0.04 %)");
+}
+
 } // namespace naocal

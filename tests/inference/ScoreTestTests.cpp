@@ -2,6 +2,7 @@
 #include "diagnosis/evidence/Power.hpp"
 #include "inference/ScoreProblem.hpp"
 #include "inference/ScoreTest.hpp"
+#include "math/Statistics.hpp"
 
 #include <Eigen/LU>
 #include <catch2/catch.hpp>

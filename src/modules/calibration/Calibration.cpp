@@ -2,11 +2,13 @@
 
 #include "calibration/BoardMoves.hpp"
 #include "calibration/Fit.hpp"
+#include "calibration/ModelAverage.hpp"
 #include "calibration/ModelUncertainty.hpp"
 #include "calibration/NoiseEstimation.hpp"
 #include "calibration/Outliers.hpp"
 #include "calibration/ReadingNoise.hpp"
 #include "calibration/SharedCauses.hpp"
+#include "calibration/Task.hpp"
 #include "calibration/Uncertainty.hpp"
 #include "calibration/result/Verdict.hpp"
 #include "io/InputError.hpp"
@@ -171,6 +173,30 @@ std::optional<Model> widenPriors(const Model& model, const Fit& fit) {
   return widenPriors(model, fit.minimum.state.unknowns, covariance.diagonal());
 }
 
+/// Explanations that are worth naming, likeliest first.
+std::vector<Explanation> nameExplanations(std::vector<Explanation> explanations) {
+  constexpr double worthNaming = 0.01;
+  std::erase_if(explanations, [](const Explanation& one) { return one.weight <= worthNaming; });
+  return explanations;
+}
+
+/// Fills the result's averages, explanations, remaining misfit, scatter and p-value from the analysis.
+void fillExplanations(const MissingEffectAnalysis& explained, const ModelAverage& average, const Model& model,
+                      CalibrationResult& result) {
+  const Eigen::VectorXd sigmas = model.sigmas();
+  for (const Eigen::Index i : average.unknowns()) {
+    Estimate& estimate = result.estimates[static_cast<std::size_t>(i)];
+    estimate.averaged = average.of(i);
+    estimate.learned = std::max(0.0, 1 - estimate.averaged->sigma / sigmas[i]);
+  }
+  result.explanations = nameExplanations(average.explanations());
+  result.misfitLeft = explained.window.misfit;
+  result.scatter = explained.levels.scatter;
+  result.pValue = explained.pValue;
+  result.matters = explained.matters;
+  result.negligible = explained.negligible;
+}
+
 /// Measurements as given, at full weight, and as the likeliest explanation weighs them.
 struct WeighedMeasurements {
   const Measurements &given, &used;
@@ -189,11 +215,14 @@ CalibrationResult conclude(const WeighedMeasurements& measurements, const Model&
   CalibrationResult result = estimateUncertainty(used, believed, answer.fit, answer.levels);
   result.noiseSource = answer.source == NoiseSource::repeats ? "repeats" : "configured";
   result.restartsTried = options.restarts;
+  std::optional<ModelAverage> average;
   if (answer.explained) {
     answer.explained->fit = answer.fit;
     testCompleteness(used, model, options, *answer.explained);
-    fillExplanations(*answer.explained, model, result);
+    average.emplace(*answer.explained, model);
+    fillExplanations(*answer.explained, *average, model, result);
   }
+  fillTask({used, believed, result}, average ? &*average : nullptr, options.tolerance, result);
   result.sharedCauses = std::move(answer.causes);
   if (options.robust && options.excludeDisplaced) {
     estimateBoardMoves(measurements.given, believed, answer.fit, result);

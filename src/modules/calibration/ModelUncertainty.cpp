@@ -1,7 +1,6 @@
 #include "calibration/ModelUncertainty.hpp"
 
 #include "calibration/ReadingNoise.hpp"
-#include "calibration/Uncertainty.hpp"
 #include "calibration/result/Wording.hpp"
 #include "estimation/CandidateTerms.hpp"
 #include "estimation/Model.hpp"
@@ -16,7 +15,6 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
-#include <map>
 #include <utility>
 
 namespace naocal {
@@ -73,33 +71,11 @@ std::vector<Term> putInFront(const std::vector<Term>& first, const std::vector<T
   return result;
 }
 
-/// Effects that the user added to the base model; explanations may replace them.
-std::vector<Term> addedEffects(const Model& model) {
-  std::vector<Term> result;
-  std::copy_if(model.terms().begin(), model.terms().end(), std::back_inserter(result),
-               [](const Term& term) { return !term.effect.inBaseModel && !term.isPlacement && term.requested; });
-  std::sort(result.begin(), result.end(), [](const Term& a, const Term& b) { return a.label() < b.label(); });
-  return result;
-}
-
 Model without(const Model& model, const std::vector<Term>& effects) {
   Model result;
   for (const Term& term : model.terms()) {
     if (std::none_of(effects.begin(), effects.end(), [&](const Term& one) { return one.label() == term.label(); })) {
       result.add(term);
-    }
-  }
-  return result;
-}
-
-/// Unknowns that both models have: (index in `model`, index in `other`).
-std::vector<std::pair<Eigen::Index, Eigen::Index>> sharedUnknowns(const Model& model, const Model& other) {
-  std::vector<std::pair<Eigen::Index, Eigen::Index>> result;
-  for (const Term& own : model.terms()) {
-    for (const Term& term : other.terms()) {
-      for (std::size_t i = 0; own.label() == term.label() && i < own.effect.unknowns.size(); ++i) {
-        result.emplace_back(eigenIndex(own.first + i), eigenIndex(term.first + i));
-      }
     }
   }
   return result;
@@ -179,7 +155,7 @@ public:
     }
     const WideModel wide{measurements_, own, putInFront(effects, candidates_), pointOf(fit), false};
     return estimateNoiseLevels(wide.problem(), noise, *repeats_, markVarying(wide.candidates()),
-                               [&](const Noise& level) { return costExplanations(wide, level); });
+                               [&](const Noise& level) { return costExplanations(wide.problem(), level); });
   }
   /// Fit accurate enough to linearise at. Keeps a quadratic loss.
   Fit refineNearly(const Model& model, const Noise& noise, Fit from) const {
@@ -187,8 +163,8 @@ public:
     return isRobust ? fitRobustly(measurements_, model, noise, std::move(from))
                     : refit(measurements_, model, noise, Loss{}, std::move(from), coarseTolerance);
   }
-  WideModel wideAt(const Model& own, const std::vector<Term>& effects, const Fit& fit) const {
-    return {measurements_, own, putInFront(effects, candidates_), pointOf(fit), true};
+  std::shared_ptr<const WideModel> wideAt(const Model& own, const std::vector<Term>& effects, const Fit& fit) const {
+    return std::make_shared<const WideModel>(measurements_, own, putInFront(effects, candidates_), pointOf(fit), true);
   }
 
   /// One step: fits the effects of the window's likeliest explanation. Returns false if they equal those already fitted
@@ -223,8 +199,9 @@ public:
     constexpr int most = 3; // steps
     for (int step = 0; step <= most; ++step) {
       explained.own = withWeighingOffsets(measurements_, base_, explained.effects);
-      const WideModel wide = wideAt(explained.own, explained.effects, explained.largerFit);
-      explained.window = searchModelWindow(wide, explained.levels.noise, added_.size());
+      explained.wide = wideAt(explained.own, explained.effects, explained.largerFit);
+      const WideModel& wide = *explained.wide;
+      explained.window = searchModelWindow(wide.problem(), explained.levels.noise, added_.size());
       explained.names.clear();
       for (std::size_t group = 0; group < wide.problem().groups.size(); ++group) {
         explained.names.push_back(formatGroup(wide, group));
@@ -260,39 +237,15 @@ private:
   std::vector<Term> candidates_;
 };
 
-/// The window's models by their effects, likeliest first. `added`: effects that were added to the base model.
-std::vector<Explanation> listExplanations(const MissingEffectAnalysis& explained, const std::vector<Term>& added) {
-  constexpr double worthNaming = 0.01;
-  std::map<std::vector<std::size_t>, double> weights; // by groups, whatever their widths
-  for (const WindowModel& one : explained.window.models) {
-    std::vector<std::size_t> groups;
-    for (const WindowMember& member : one.members) {
-      groups.push_back(member.group);
-    }
-    weights[groups] += one.weight;
-  }
-  std::vector<Explanation> result;
-  for (const auto& [groups, weight] : weights) {
-    if (weight <= worthNaming) {
-      continue;
-    }
-    Explanation explanation{{}, {}, weight};
-    for (const std::size_t group : groups) {
-      explanation.effects.push_back(explained.names[group]);
-    }
-    for (const Term& term : added) {
-      if (std::erase(explanation.effects, term.label()) == 0) {
-        explanation.without.push_back(term.label());
-      }
-    }
-    result.push_back(std::move(explanation));
-  }
-  std::stable_sort(result.begin(), result.end(),
-                   [](const Explanation& a, const Explanation& b) { return a.weight > b.weight; });
+} // namespace
+
+std::vector<Term> addedEffects(const Model& model) {
+  std::vector<Term> result;
+  std::copy_if(model.terms().begin(), model.terms().end(), std::back_inserter(result),
+               [](const Term& term) { return !term.effect.inBaseModel && !term.isPlacement && term.requested; });
+  std::sort(result.begin(), result.end(), [](const Term& a, const Term& b) { return a.label() < b.label(); });
   return result;
 }
-
-} // namespace
 
 std::optional<Model> widenPriors(const Model& model, const Eigen::VectorXd& unknowns,
                                  const Eigen::VectorXd& variances) {
@@ -318,7 +271,7 @@ MissingEffectAnalysis analyseMissingEffects(const Measurements& measurements, co
                                             const Noise& noise, const std::optional<RepeatInfo>& repeats,
                                             const CalibrationOptions& options) {
   const ExplanationSearch search{measurements, model, repeats, options};
-  MissingEffectAnalysis result{search.levelsAt(model, {}, fit, noise), fit, {}, model, fit, model, {}, {}};
+  MissingEffectAnalysis result{search.levelsAt(model, {}, fit, noise), fit, {}, model, fit, model, {}, {}, {}};
   result.fit = result.largerFit = search.refineNearly(model, result.levels.noise, fit);
   if (!search.added().empty()) {
     search.startAt(model, result.fit, result);
@@ -369,28 +322,6 @@ void testCompleteness(const Measurements& measurements, const Model& model, cons
   explained.pValue = evidence.pValue;
   explained.matters = evidence.matters;
   explained.negligible = describeNegligible(wide, evidence);
-}
-
-void fillExplanations(const MissingEffectAnalysis& explained, const Model& model, CalibrationResult& result) {
-  const ModelWindow& window = explained.window;
-  const Eigen::VectorXd sigmas = model.sigmas();
-  const Eigen::VectorXd widening = computeLevelWidening(explained.fit.minimum.linear, sigmas, explained.levels);
-  for (const auto& [i, own] : sharedUnknowns(model, explained.own)) {
-    const double mean = window.mean[own];
-    const auto [low, high] = window.interval(own);
-    Estimate& estimate = result.estimates[static_cast<std::size_t>(i)];
-    estimate.averaged = Averaged{.value = mean,
-                                 .sigma = std::sqrt(window.variance[own]) * widening[i],
-                                 .low = mean + (low - mean) * widening[i],
-                                 .high = mean + (high - mean) * widening[i]};
-    estimate.learned = std::max(0.0, 1 - estimate.averaged->sigma / sigmas[i]);
-  }
-  result.explanations = listExplanations(explained, addedEffects(model));
-  result.misfitLeft = window.misfit;
-  result.scatter = explained.levels.scatter;
-  result.pValue = explained.pValue;
-  result.matters = explained.matters;
-  result.negligible = explained.negligible;
 }
 
 } // namespace naocal

@@ -7,6 +7,7 @@
 #include "inference/WideModel.hpp"
 
 #include <Eigen/Core>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,16 +22,17 @@ std::optional<Model> widenPriors(const Model& model, const Eigen::VectorXd& unkn
 
 /// The analysis of missing effects for a fitted model.
 struct MissingEffectAnalysis {
-  NoiseLevels levels;             // estimated under the widest model
-  Fit fit;                        // of the model as given, from which the search started
-  std::vector<Term> effects;      // named effects of the likeliest explanation
-  Model larger;                   // the model with `effects` in place of those that the user added to the base model
-  Fit largerFit;                  // fit of `larger`; equals `fit` without effects
-  Model own;                      // the model without either: its unknowns are the window's own unknowns
-  ModelWindow window;             // linearised at `largerFit`
-  std::vector<std::string> names; // name of the effect or curve, per group of the window
-  double pValue = 1;              // of the hypothesis that the model as given is complete (`Evidence`)
-  bool matters = false;           // the missing effect moves corners by more than `threshold::negligiblePx`
+  NoiseLevels levels;        // estimated under the widest model
+  Fit fit;                   // of the model as given, from which the search started; in the end, at `levels`
+  std::vector<Term> effects; // named effects of the likeliest explanation
+  Model larger;              // the model with `effects` in place of those that the user added to the base model
+  Fit largerFit;             // fit of `larger`; equals `fit` without effects
+  Model own;                 // the model without either: its unknowns are the window's own unknowns
+  ModelWindow window;        // linearised at `largerFit`
+  std::shared_ptr<const WideModel> wide;      // what `window` is a window of
+  std::vector<std::string> names;             // name of the effect or curve, per group of the window
+  double pValue = 1;                          // of the hypothesis that the model as given is complete (`Evidence`)
+  bool matters = false;                       // the missing effect moves corners by more than `threshold::negligiblePx`
   std::optional<NegligibleEffect> negligible; // the likeliest missing effect, if it does not
 
   /// Whether an effect is missing that is no deflection of a joint, while joints do not scatter to their limit.
@@ -61,7 +63,7 @@ double describe(const Measurements& measurements, const MissingEffectAnalysis& e
 void testCompleteness(const Measurements& measurements, const Model& model, const CalibrationOptions& options,
                       MissingEffectAnalysis& explained);
 
-/// Fills the result's averages, explanations, remaining misfit, scatter and p-value from the analysis.
-void fillExplanations(const MissingEffectAnalysis& explained, const Model& model, CalibrationResult& result);
+/// Effects that the user added to the base model; explanations may replace them.
+std::vector<Term> addedEffects(const Model& model);
 
 } // namespace naocal

@@ -1,133 +1,30 @@
 #include "calibration/Uncertainty.hpp"
 
+#include "calibration/LevelSpread.hpp"
 #include "calibration/Outliers.hpp"
 #include "calibration/ReadingErrors.hpp"
 #include "calibration/result/Wording.hpp"
-#include "estimation/DriverState.hpp"
 #include "inference/NoiseLevels.hpp"
+#include "inference/OwnEstimates.hpp"
 #include "inference/PoseMisfit.hpp"
 #include "math/LinearAlgebra.hpp"
-#include "math/Parallel.hpp"
 #include "math/Statistics.hpp"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <optional>
 
 namespace naocal {
 
 namespace {
 
-/// First view of a board on the floor; null if there is none.
-const BoardObservation* findFloorBoard(const ImageObservation& picture, const Measurements& measurements) {
-  const auto found =
-      std::find_if(picture.observations.begin(), picture.observations.end(),
-                   [&](const BoardObservation& s) { return measurements.targets[s.view.board()].isFlat; });
-  return found == picture.observations.end() ? nullptr : &*found;
-}
-
-/// State of a picture with the head straight and the board 2 m ahead of the support sole.
-ModelState stateAt2m(const ImageObservation& picture, const ObservationChain& view, const FittedModel& fitted) {
-  const Robot& robot = fitted.measurements.robot;
-  ModelState modelState = predictState(fitted.measurements, fitted.model, picture, fitted.fit.unknowns);
-  modelState.worldFromSupport().setZero();
-  modelState.boardPlacement(view.board()) << 2, 0, 0, 0, 0, 0;
-  const auto towardsHead = ancestorLinks(robot, {robot.cameras[picture.camera].link});
-  for (std::size_t joint : view.joints()) {
-    if (std::find(towardsHead.begin(), towardsHead.end(), robot.joints[joint].link) != towardsHead.end()) {
-      modelState.angle(joint) = 0;
-    }
-  }
-  return modelState;
-}
-
-/// Derivatives of a picture's state apart from lenses, placements and boards.
-std::vector<StateDerivative> physicalDerivatives(const ImageObservation& picture, const FittedModel& fitted) {
-  std::vector<StateDerivative> result =
-      evaluateJacobian(fitted.measurements, fitted.model, picture, fitted.fit.unknowns);
-  std::erase_if(result,
-                [&](const StateDerivative& slope) { return slope.quantity >= fitted.measurements.quantities.lens(); });
-  return result;
-}
-
-/// Shift of a floor point [m], in the floor's axes, per motion (omega, v) of the scene in the optical frame: the ray is
-/// fixed and the floor moves.
-Eigen::Vector2d shiftOnFloor(const CameraFrames& attitude, const Eigen::Matrix<double, 6, 1>& scene) {
-  const Eigen::Vector3d point = attitude.opticalFromBoard.translation;
-  const Eigen::Vector3d normal = attitude.opticalFromWorld.rotation.col(2);
-  const Eigen::Vector3d omega = scene.head<3>();
-  const Eigen::Vector3d motion = omega.cross(point) + scene.tail<3>();
-  const Eigen::Vector3d shift = point * (motion.dot(normal) / point.dot(normal)) - motion;
-  return (attitude.opticalFromWorld.rotation.transpose() * shift).head<2>();
-}
-
-/// Error with the legs as in one picture [m]; absent if it shows no floor board or the point lies behind the camera.
-std::optional<double> predictErrorIn(const ImageObservation& picture, const FittedModel& fitted) {
-  const BoardObservation* const observation = findFloorBoard(picture, fitted.measurements);
-  if (!observation) {
-    return std::nullopt;
-  }
-  const ObservationChain& view = observation->view;
-  const ModelState modelState = stateAt2m(picture, view, fitted);
-  LinkPoses torsoFromLink;
-  forwardKinematics(fitted.measurements.robot, modelState, view.links(), torsoFromLink);
-  const CameraFrames attitude = view.cameraFrames({fitted.measurements.robot, modelState, torsoFromLink});
-  if (attitude.opticalFromBoard.translation.z() < 0.1) {
-    return std::nullopt;
-  }
-  const std::vector<StateDerivative> slopes = physicalDerivatives(picture, fitted);
-  std::vector<std::size_t> quantities;
-  for (const StateDerivative& slope : slopes) {
-    quantities.push_back(slope.quantity);
-  }
-  Eigen::MatrixXd columns(6, eigenIndex(quantities.size()));
-  view.fillMotionColumns({fitted.measurements.robot, modelState, torsoFromLink}, attitude, quantities, {}, columns);
-  Eigen::MatrixXd slip = Eigen::MatrixXd::Zero(2, fitted.fit.unknowns.size());
-  for (std::size_t i = 0; i < slopes.size(); ++i) {
-    slip.col(eigenIndex(slopes[i].unknown)) += slopes[i].value * shiftOnFloor(attitude, columns.col(eigenIndex(i)));
-  }
-  return std::sqrt((slip * fitted.fit.covariance * slip.transpose()).trace());
-}
-
 Eigen::MatrixXd inverse(const Eigen::MatrixXd& information) {
   return information.ldlt().solve(Eigen::MatrixXd::Identity(information.rows(), information.cols()));
 }
 
-/// Variance of each unknown averaged over the possible noise levels, and its spread over them.
-struct Spread {
-  Eigen::VectorXd variance;       // mean over levels of the variance plus the squared shift of the estimate
-  Eigen::VectorXd relativeSpread; // Var(variance) / variance^2
-};
-
-/// `moves`: whether to include the shift of the estimate.
-Spread spreadOver(const Residuals::Linear& linear, const Eigen::VectorXd& unknowns, const Eigen::VectorXd& sigmas,
-                  const std::vector<NoiseLevels::Level>& levels, double misfit, bool moves) {
-  Spread result{Eigen::VectorXd::Zero(sigmas.size()), Eigen::VectorXd::Zero(sigmas.size())};
-  for (const NoiseLevels::Level& level : levels) {
-    const LinearMinimum there = solveLinearized(linear, unknowns, sigmas, level.noise);
-    Eigen::VectorXd variance = misfit * there.covariance.diagonal();
-    if (moves) {
-      variance += there.step.cwiseAbs2();
-    }
-    result.variance += level.weight * variance;
-    result.relativeSpread += level.weight * variance.cwiseAbs2();
-  }
-  result.relativeSpread = (result.relativeSpread.cwiseQuotient(result.variance.cwiseAbs2()).array() - 1).max(0);
-  return result;
-}
-
-std::vector<NoiseLevels::Level> levelsOf(const NoiseLevels& levels) {
-  return levels.levels.empty() ? std::vector<NoiseLevels::Level>{{levels.noise, 1}} : levels.levels;
-}
-
-/// A normal distribution of uncertain variance, as the Student's t of equal variance and kurtosis:
-/// nu = 4 + 2 / (relative variance of the variance).
-Estimate estimate(double value, double variance, double relativeSpread, double priorSigma) {
-  const double freedom = std::min(4 + 2 / std::max(relativeSpread, 1e-9), 1e6);
-  const double sigma = std::sqrt(variance);
+Estimate estimate(double value, const UncertainVariance& variance, double priorSigma) {
+  const double freedom = variance.freedom(), sigma = std::sqrt(variance.mean);
   return {.value = value,
           .sigma = sigma,
           .halfWidth = studentHalfWidth(freedom) * sigma * std::sqrt((freedom - 2) / freedom),
@@ -278,20 +175,6 @@ WeakDirection describeDirection(const PhysicalUnknowns& physical, const Eigen::M
 
 } // namespace
 
-double predictFloorErrorAt2m(const FittedModel& fitted) {
-  std::vector<double> errors;
-  for (const ImageObservation& picture : fitted.measurements.pictures) {
-    if (const auto error = predictErrorIn(picture, fitted)) {
-      errors.push_back(*error);
-    }
-  }
-  if (errors.empty()) {
-    return 0;
-  }
-  std::nth_element(errors.begin(), errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2), errors.end());
-  return errors[errors.size() / 2];
-}
-
 CalibrationResult estimateUncertainty(const Measurements& measurements, const Model& model, const Fit& fit,
                                       const NoiseLevels& levels) {
   CalibrationResult result;
@@ -318,45 +201,15 @@ CalibrationResult estimateUncertainty(const Measurements& measurements, const Mo
   result.misfit = std::max({1.0, misfit.chi2 / misfit.freedom, result.chi2 / std::max(1.0, result.dof)});
   result.misfitFreedom = misfit.freedom;
   result.sigmaScale = std::sqrt(result.misfit);
-  result.covariance *= result.misfit;
+  result.covariance = inverse(temperPrecision(linear.hessian, sigmas, result.misfit));
   measureDistances(residuals, fit, result);
   result.noiseFloorPx = noiseFloorPx(rows, fit.noise);
-  const Spread spread = spreadOver(linear, result.unknowns, sigmas, levelsOf(levels), result.misfit, true);
+  const LevelSpread spread{linear, result.unknowns, sigmas, levels, result.misfit};
   for (Eigen::Index i = 0; i < sigmas.size(); ++i) {
-    result.estimates.push_back(estimate(result.unknowns[i], spread.variance[i], spread.relativeSpread[i], sigmas[i]));
+    result.estimates.push_back(
+        estimate(result.unknowns[i], spread.along(Eigen::VectorXd::Unit(sigmas.size(), i), true), sigmas[i]));
   }
   return result;
-}
-
-Eigen::VectorXd computeLevelWidening(const Residuals::Linear& linear, const Eigen::VectorXd& sigmas,
-                                     const NoiseLevels& levels) {
-  const Eigen::VectorXd nothing = Eigen::VectorXd::Zero(sigmas.size());
-  const Eigen::VectorXd variance = solveLinearized(linear, nothing, sigmas, levels.noise).covariance.diagonal();
-  const Spread spread = spreadOver(linear, nothing, sigmas, levelsOf(levels), 1, false);
-  Eigen::VectorXd result(sigmas.size());
-  for (Eigen::Index i = 0; i < sigmas.size(); ++i) {
-    const Estimate wide = estimate(0, spread.variance[i], spread.relativeSpread[i], sigmas[i]);
-    result[i] = wide.halfWidth / (1.96 * std::sqrt(variance[i]));
-  }
-  return result;
-}
-
-LinearMinimum solveLinearized(const Residuals::Linear& linear, const Eigen::VectorXd& unknowns,
-                              const Eigen::VectorXd& sigmas, const Noise& noise) {
-  const Eigen::VectorXd information = sigmas.cwiseAbs2().cwiseInverse();
-  Eigen::MatrixXd hessian = information.asDiagonal();
-  Eigen::VectorXd gradient = information.cwiseProduct(unknowns);
-  std::vector<MarginalSystem> parts(linear.poses.size());
-  parallelFor(parts.size(), [&](std::size_t i) {
-    marginalize(linear.poses[i], noise, jointErrorRoot(linear.poses[i], noise), parts[i]);
-  });
-  for (std::size_t pose = 0; pose < parts.size(); ++pose) {
-    const std::vector<std::size_t>& seen = linear.poses[pose].unknowns;
-    gradient(seen) += parts[pose].unknownGradient;
-    hessian(seen, seen) += parts[pose].hessian;
-  }
-  const Eigen::LLT<Eigen::MatrixXd> factor{hessian};
-  return {-factor.solve(gradient), factor.solve(Eigen::MatrixXd::Identity(hessian.rows(), hessian.cols()))};
 }
 
 std::vector<WeakDirection> findWeakDirections(const Model& model, const CalibrationResult& result) {

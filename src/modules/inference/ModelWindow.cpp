@@ -1,6 +1,7 @@
 #include "inference/ModelWindow.hpp"
 
 #include "inference/Evidence.hpp"
+#include "inference/OwnEstimates.hpp"
 #include "inference/PoseMisfit.hpp"
 #include "inference/Thresholds.hpp"
 #include "io/InputError.hpp"
@@ -8,13 +9,10 @@
 #include "math/Statistics.hpp"
 
 #include <algorithm>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
-#include <cstdint>
 #include <iterator>
 #include <limits>
 #include <map>
-#include <numbers>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -24,7 +22,7 @@ namespace naocal {
 namespace {
 
 constexpr std::size_t mostMembers = 4;
-constexpr double leastWeight = 1e-3; // relative to the likeliest model
+constexpr double leastWeight = 1e-5; // relative to the likeliest model: a shoulder at 0.0005 is known to 2 %
 
 using Members = std::vector<WindowMember>;
 
@@ -32,17 +30,18 @@ using Members = std::vector<WindowMember>;
 /// scores are in units of `plausible`, linearised about zero coefficients.
 class Window {
 public:
-  Window(const WideModel& wide, const Noise& noise, std::size_t expected)
-      : problem_{wide.problem()}, expected_{expected}, alone_{problem_, noise}, tests_{alone_}, misfit_{testPoseMisfit(
-                                                                                                    problem_, noise)} {
+  Window(const ScoreProblem& problem, const Noise& noise, std::size_t expected)
+      : problem_{problem}, expected_{expected}, alone_{problem_, noise}, tests_{alone_}, misfit_{testPoseMisfit(
+                                                                                             problem_, noise)} {
     const PoseResiduals measured = measuredResiduals(*problem_.poses);
-    const Eigen::MatrixXd own = alone_(measured, problem_.priorScore()).own;
-    score_ = problem_.plausible.cwiseProduct(tests_.projectedScores(measured, own).col(0));
-    const auto& factor = alone_.factor();
-    answers_ = factor.matrixU().solve(tests_.explainedInformation()) * problem_.plausible.asDiagonal();
-    alone0_ = problem_.unknowns - factor.matrixU().solve(own).col(0);
-    variances_ = factor.solve(Eigen::MatrixXd::Identity(problem_.ownCount(), problem_.ownCount())).diagonal();
-    moveToZero(wide.sizes());
+    own_ = alone_(measured, problem_.priorScore()).own;
+    score_ = problem_.plausible.cwiseProduct(tests_.projectedScores(measured, own_).col(0));
+    scoreAtFit_ = score_;
+    scaled_ = pull_ = Eigen::VectorXd::Zero(score_.size());
+    if (problem_.sizes.size() > 0) {
+      moveToZero();
+    }
+    chi2OfNone_ = misfit_.chi2 + fromFitToZero_;
     countGroups();
   }
 
@@ -56,56 +55,9 @@ public:
     }
     return {.members = members, .cost = least - 2 * std::log(sum)};
   }
-  /// The model once for each choice of its members' plausible widths, with estimates.
-  std::vector<WindowModel> modelsByWidth(const Members& members) {
-    std::vector<WindowModel> all = modelsOfEveryWidth(members);
-    for (WindowModel& one : all) {
-      one = estimate(std::move(one));
-    }
-    return all;
-  }
-
-  std::size_t groups() const { return problem_.groups.size(); }
-  /// Admissible column counts of a group: all columns, or one choice per degree of a smooth curve.
-  std::vector<WindowMember> choices(std::size_t group) const {
-    const ColumnGroup& columns = problem_.groups[group];
-    std::vector<WindowMember> result;
-    for (Eigen::Index count = columns.part > 0 ? columns.part : columns.count; count <= columns.count;
-         count += std::max<Eigen::Index>(columns.part, columns.count - count + 1)) {
-      result.push_back({group, count});
-    }
-    return result;
-  }
-  /// False where squares of the residuals overflow.
-  bool isFinite() const { return std::isfinite(misfit_.within) && score_.allFinite() && alone0_.allFinite(); }
-  double misfitOf(const WindowModel& model) const { return std::max(1.0, model.chi2 / model.freedom); }
-  /// Cost of the effects with nonzero sizes at the linearisation point, relative to it, without what another size of
-  /// theirs would gain.
-  double costAsFitted() { return fromFitToZero_ + model(fitted_).cost + computeRefitGain(); }
-  /// Increase of -2 ln likelihood of the model alone from the linearisation point to zero coefficients.
-  double fromFitToZero() const { return fromFitToZero_; }
-
-private:
-  static double leastCost(const std::vector<WindowModel>& models) {
-    double least = std::numeric_limits<double>::infinity();
-    for (const WindowModel& one : models) {
-      least = std::min(least, one.cost);
-    }
-    return least;
-  }
-  /// Posterior precision of the members' sizes, in units of what is plausible: information + 1 / width^2.
-  static Eigen::MatrixXd posteriorPrecision(const WindowModel& model, Eigen::MatrixXd information) {
-    Eigen::Index column = 0;
-    for (std::size_t i = 0; i < model.members.size(); ++i) {
-      for (Eigen::Index k = 0; k < model.members[i].count; ++k, ++column) {
-        information(column, column) += 1 / (model.widths[i] * model.widths[i]);
-      }
-    }
-    return information;
-  }
-  /// The model with each of its `widthChoices`, costs only. Each effect has a width of its own: an effect with one
-  /// large unknown probably has other large ones, which says nothing about other effects. If two members are
-  /// numerically identical, the factorisation fails and the model gets no weight.
+  /// The model once for each choice of its members' plausible widths, without estimates. Each effect has a width of
+  /// its own: an effect with one large unknown probably has other large ones, which says nothing about other effects.
+  /// If two members are numerically identical, the factorisation fails and the model gets no weight.
   std::vector<WindowModel> modelsOfEveryWidth(const Members& members) {
     const std::vector<Eigen::Index> columns = columnsOf(members);
     const Eigen::MatrixXd information = informationOf(members, eigenIndex(columns.size()));
@@ -125,6 +77,115 @@ private:
                      : std::numeric_limits<double>::max();
     }
     return result;
+  }
+  /// Misfit between poses of a model with its members: chi2 and its degrees of freedom.
+  PoseMisfit misfitOf(const WindowModel& model) {
+    PoseMisfit result{.chi2 = chi2OfNone_, .freedom = misfit_.freedom};
+    const std::vector<Eigen::Index> columns = columnsOf(model.members);
+    if (!columns.empty()) {
+      const auto count = eigenIndex(columns.size());
+      const Eigen::MatrixXd information = informationOf(model.members, count);
+      const Eigen::VectorXd score = score_(columns);
+      const Eigen::LLT<Eigen::MatrixXd> factor{posteriorPrecision(model, information)};
+      const Eigen::VectorXd sizes = factor.solve(score);
+      result.chi2 += sizes.dot(information * sizes) - 2 * score.dot(sizes);
+      result.freedom -= factor.solve(information).trace();
+    }
+    return {.chi2 = std::max(0.0, result.chi2), .freedom = std::max(1.0, result.freedom)};
+  }
+  /// The own unknowns under any model, at a misfit.
+  OwnEstimates estimatesAt(double misfit) const {
+    std::optional<ScoreProblem> without;
+    std::optional<NullModel> plain;
+    if (problem_.plain != nullptr) {
+      without.emplace(*problem_.plain, none_, problem_.unknowns, problem_.sigmas, 0);
+      plain.emplace(*without, alone_.noise());
+    }
+    return OwnEstimates{{.alone = alone_,
+                         .explained = tests_.explainedInformation() * problem_.plausible.asDiagonal(),
+                         .own = own_,
+                         .score = scoreAtFit_,
+                         .sizes = scaled_,
+                         .pull = pull_,
+                         .plain = plain ? &*plain : nullptr},
+                        misfit};
+  }
+  /// Adds estimates to a model that has only its cost.
+  void estimate(const OwnEstimates& estimates, WindowModel& model) {
+    const std::vector<Eigen::Index> columns = columnsOf(model.members);
+    const auto count = eigenIndex(columns.size());
+    OwnEstimate own = estimates.estimate(columns, informationOf(model.members, count), widthsPerColumn(model));
+    model.unknowns = std::move(own.value);
+    model.spread = std::move(own.spread);
+    model.sizes = problem_.plausible(columns).cwiseProduct(own.coefficients);
+    model.sizeSpread = problem_.plausible(columns).asDiagonal() * own.coefficientSpread;
+    model.columns = columns;
+  }
+
+  /// What each named effect that a model lacks does to the own unknowns where it stays unnoticed.
+  std::vector<UndetectedEffect> listUndetected(const OwnEstimates& estimates, const WindowModel& model) {
+    std::vector<UndetectedEffect> result;
+    const Eigen::VectorXd widths = widthsPerColumn(model);
+    const double alarm = threshold::alarm / named_;
+    for (std::size_t group = 0; group < problem_.named; ++group) {
+      Members members = model.members;
+      members.push_back({group, problem_.groups[group].count});
+      const std::vector<Eigen::Index> columns = columnsOf(members);
+      if (!isMember(model, group)) {
+        const double noticed =
+            requiredNoncentrality(threshold::power, static_cast<double>(members.back().count), alarm);
+        UnnoticedBiases unnoticed =
+            estimates.findUnnoticed(columns, informationOf(members, eigenIndex(columns.size())), widths, noticed);
+        const ColumnGroup& own = problem_.groups[group];
+        result.push_back({group, std::move(unnoticed.own),
+                          problem_.plausible.segment(own.first, own.count).asDiagonal() * unnoticed.coefficients});
+      }
+    }
+    return result;
+  }
+
+  /// False where squares of the residuals overflow.
+  bool isFinite() const { return std::isfinite(misfit_.within) && score_.allFinite() && own_.allFinite(); }
+  std::size_t groups() const { return problem_.groups.size(); }
+  /// Admissible column counts of a group: all columns, or one choice per degree of a smooth curve.
+  std::vector<WindowMember> choices(std::size_t group) const {
+    const ColumnGroup& columns = problem_.groups[group];
+    std::vector<WindowMember> result;
+    for (Eigen::Index count = columns.part > 0 ? columns.part : columns.count; count <= columns.count;
+         count += std::max<Eigen::Index>(columns.part, columns.count - count + 1)) {
+      result.push_back({group, count});
+    }
+    return result;
+  }
+  /// Cost of the effects with nonzero sizes at the linearisation point, relative to it, without what another size of
+  /// theirs would gain.
+  double costAsFitted() { return fromFitToZero_ + model(fitted_).cost + computeRefitGain(); }
+  /// Increase of -2 ln likelihood of the model alone from the linearisation point to zero coefficients.
+  double fromFitToZero() const { return fromFitToZero_; }
+
+private:
+  static double leastCost(const std::vector<WindowModel>& models) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const WindowModel& one : models) {
+      least = std::min(least, one.cost);
+    }
+    return least;
+  }
+  static bool isMember(const WindowModel& model, std::size_t group) {
+    return std::any_of(model.members.begin(), model.members.end(),
+                       [&](const WindowMember& one) { return one.group == group; });
+  }
+  static Eigen::VectorXd widthsPerColumn(const WindowModel& model) {
+    std::vector<double> widths;
+    for (std::size_t i = 0; i < model.members.size(); ++i) {
+      widths.insert(widths.end(), static_cast<std::size_t>(model.members[i].count), model.widths[i]);
+    }
+    return Eigen::Map<const Eigen::VectorXd>(widths.data(), eigenIndex(widths.size()));
+  }
+  /// Posterior precision of the members' sizes, in units of what is plausible: information + 1 / width^2.
+  static Eigen::MatrixXd posteriorPrecision(const WindowModel& model, Eigen::MatrixXd information) {
+    information.diagonal() += widthsPerColumn(model).cwiseAbs2().cwiseInverse();
+    return information;
   }
   /// Each width of the last member with each choice for the others that is likely without it: all choices would be
   /// exponential in the members.
@@ -155,30 +216,6 @@ private:
       }
     }
     return entry->second;
-  }
-  /// Adds estimates and misfit to a model that has only its cost.
-  WindowModel estimate(WindowModel result) {
-    const std::vector<Eigen::Index> columns = columnsOf(result.members);
-    const auto count = eigenIndex(columns.size());
-    if (count == 0) {
-      result.unknowns = alone0_;
-      result.variances = variances_;
-      result.chi2 = std::max(0.0, chi2OfNone_);
-      result.freedom = std::max(1.0, misfit_.freedom);
-      return result;
-    }
-    const Eigen::MatrixXd information = informationOf(result.members, count);
-    const Eigen::VectorXd score = score_(columns);
-    const Eigen::LDLT<Eigen::MatrixXd> factor{posteriorPrecision(result, information)};
-    const Eigen::VectorXd sizes = factor.solve(score);
-    const Eigen::MatrixXd spread = factor.solve(Eigen::MatrixXd::Identity(count, count));
-    const Eigen::MatrixXd answers = answers_(Eigen::all, columns);
-    result.unknowns = alone0_ - answers * sizes;
-    result.variances = variances_ + (answers * spread).cwiseProduct(answers).rowwise().sum();
-    result.sizes = problem_.plausible(columns).cwiseProduct(sizes);
-    result.chi2 = std::max(0.0, chi2OfNone_ - 2 * score.dot(sizes) + sizes.dot(information * sizes));
-    result.freedom = std::max(1.0, misfit_.freedom - information.cwiseProduct(spread).sum());
-    return result;
   }
   std::vector<Eigen::Index> columnsOf(const Members& members) const {
     std::vector<Eigen::Index> columns;
@@ -225,11 +262,10 @@ private:
     return entry->second.leftCols(member.count);
   }
   /// Moves the linearisation to zero coefficients of all candidates.
-  void moveToZero(const Eigen::VectorXd& sizes) {
-    scoreAtFit_ = score_;
+  void moveToZero() {
     for (std::size_t group = 0; group < problem_.named; ++group) {
       const ColumnGroup& columns = problem_.groups[group];
-      const Eigen::VectorXd own = sizes.segment(columns.first, columns.count);
+      const Eigen::VectorXd own = problem_.sizes.segment(columns.first, columns.count);
       if (own.isZero(0)) {
         continue;
       }
@@ -238,10 +274,10 @@ private:
       fromFitToZero_ += 2 * score_.segment(columns.first, columns.count).dot(scaled) +
                         scaled.dot(pull.segment(columns.first, columns.count));
       score_ += pull;
-      alone0_ += answers_.middleCols(columns.first, columns.count) * scaled;
+      pull_ += pull;
+      scaled_.segment(columns.first, columns.count) = scaled;
       fitted_.push_back({group, columns.count});
     }
-    chi2OfNone_ = misfit_.chi2 + fromFitToZero_;
   }
   /// Decrease of -2 ln posterior from the fitted sizes to the best ones at this noise level.
   double computeRefitGain() {
@@ -279,8 +315,9 @@ private:
   NullModel alone_;
   ScoreTest tests_;
   PoseMisfit misfit_;
-  Eigen::VectorXd score_, scoreAtFit_, alone0_, variances_;
-  Eigen::MatrixXd answers_; // response of the own unknowns to a unit of each column, sign reversed
+  DriverColumns none_{.blocks = std::vector<std::vector<DriverColumns::Block>>(problem_.poses->size())};
+  Eigen::VectorXd own_, score_, scoreAtFit_;
+  Eigen::VectorXd scaled_, pull_; // coefficients at the linearisation point, and their information times them
   Members fitted_;
   double fromFitToZero_ = 0, chi2OfNone_ = 0, named_ = 1, curves_ = 1;
   std::map<std::size_t, Eigen::MatrixXd> known_;
@@ -342,7 +379,7 @@ WindowModel findLikeliest(Window& window) {
   return best;
 }
 
-/// The model and all its neighbours (removals, swaps and additions), each with every choice of widths.
+/// The model and all its neighbours: removals, swaps and additions.
 std::vector<WindowModel> findNeighbours(Window& window, const WindowModel& best) {
   std::vector<WindowModel> result{best};
   for (std::size_t i = 0; i < best.members.size(); ++i) {
@@ -357,15 +394,44 @@ std::vector<WindowModel> findNeighbours(Window& window, const WindowModel& best)
   if (best.members.size() < mostMembers) {
     visitAdditions(window, best.members, [&](WindowModel larger) { result.push_back(std::move(larger)); });
   }
-  std::vector<WindowModel> byWidth;
-  const double most = best.cost - 2 * std::log(leastWeight);
-  for (const WindowModel& model : result) {
-    if (model.cost <= most) { // of the best always, even where its cost swallows the difference
-      std::vector<WindowModel> models = window.modelsByWidth(model.members);
-      std::move(models.begin(), models.end(), std::back_inserter(byWidth));
+  return result;
+}
+
+bool isLikelier(const WindowModel& a, const WindowModel& b) {
+  return a.cost < b.cost;
+}
+
+/// The model and its neighbours with every choice of widths, likeliest first, without estimates. Costs count less where
+/// nothing explains the misfit, so the window is wider there; beyond `threshold::bearableMisfit` it grows no further,
+/// as nothing rests on such a result.
+std::vector<WindowModel> listModels(Window& window, const WindowModel& best) {
+  std::vector<WindowModel> result = window.modelsOfEveryWidth(best.members);
+  const PoseMisfit misfit = window.misfitOf(*std::min_element(result.begin(), result.end(), isLikelier));
+  const double most =
+      best.cost - 2 * std::log(leastWeight) * std::clamp(misfit.chi2 / misfit.freedom, 1.0, threshold::bearableMisfit);
+  for (const WindowModel& model : findNeighbours(window, best)) {
+    if (model.cost < most && model.members != best.members) {
+      std::vector<WindowModel> models = window.modelsOfEveryWidth(model.members);
+      std::move(models.begin(), models.end(), std::back_inserter(result));
     }
   }
-  return byWidth;
+  std::sort(result.begin(), result.end(), isLikelier);
+  std::erase_if(result, [&](const WindowModel& model) { return model.cost > std::max(most, result.front().cost); });
+  return result;
+}
+
+/// Fills the weights: exp(-cost / (2 misfit)), their sum 1. Drops what is below `leastWeight`.
+void weigh(ModelWindow& window) {
+  const double least = window.models.front().cost;
+  for (WindowModel& model : window.models) {
+    model.weight = std::exp((least - model.cost) / (2 * window.misfit));
+  }
+  std::erase_if(window.models, [](const WindowModel& model) { return model.weight < leastWeight; });
+  const double kept = std::accumulate(window.models.begin(), window.models.end(), 0.0,
+                                      [](double all, const WindowModel& model) { return all + model.weight; });
+  for (WindowModel& model : window.models) {
+    model.weight /= kept;
+  }
 }
 
 /// Throws InputError for costs or estimates of measurements that are so far from every prediction that sums of their
@@ -379,73 +445,57 @@ void requireFinite(bool isFinite) {
 
 } // namespace
 
-ExplanationCosts costExplanations(const WideModel& wide, const Noise& noise) {
-  Window window{wide, noise, 0};
+ExplanationCosts costExplanations(const ScoreProblem& problem, const Noise& noise) {
+  Window window{problem, noise, 0};
   return {window.costAsFitted(), window.fromFitToZero() + findLikeliest(window).cost};
 }
 
-ModelWindow searchModelWindow(const WideModel& wide, const Noise& noise, std::size_t expected) {
-  Window window{wide, noise, expected};
+ModelWindow searchModelWindow(const ScoreProblem& problem, const Noise& noise, std::size_t expected) {
+  Window window{problem, noise, expected};
   const WindowModel likeliest = findLikeliest(window);
   requireFinite(window.isFinite() && std::isfinite(likeliest.cost));
   Members named = likeliest.members;
-  std::erase_if(named, [&](const WindowMember& member) { return member.group >= wide.problem().named; });
-  ModelWindow result{.unnamedGain = window.model(named).cost - likeliest.cost};
-  result.models = findNeighbours(window, likeliest);
-  std::sort(result.models.begin(), result.models.end(),
-            [](const WindowModel& a, const WindowModel& b) { return a.cost < b.cost; });
-  const WindowModel& best = result.models.front();
-  result.misfit = window.misfitOf(best);
-  result.freedom = best.freedom;
+  std::erase_if(named, [&](const WindowMember& member) { return member.group >= problem.named; });
+  ModelWindow result{.models = listModels(window, likeliest), .unnamedGain = window.model(named).cost - likeliest.cost};
+  const PoseMisfit misfit = window.misfitOf(result.models.front());
+  result.misfit = std::max(1.0, misfit.chi2 / misfit.freedom);
+  result.freedom = misfit.freedom;
+  weigh(result);
+  const OwnEstimates estimates = window.estimatesAt(result.misfit);
+  result.covariance = estimates.covariance();
+  result.mean = Eigen::VectorXd::Zero(problem.ownCount());
+  result.groupWeights.assign(problem.groups.size(), 0);
   for (WindowModel& model : result.models) {
-    model.weight = std::exp((best.cost - model.cost) / (2 * result.misfit));
-  }
-  std::erase_if(result.models, [](const WindowModel& model) { return model.weight < leastWeight; });
-  const double kept = std::accumulate(result.models.begin(), result.models.end(), 0.0,
-                                      [](double all, const WindowModel& model) { return all + model.weight; });
-  result.mean = result.variance = Eigen::VectorXd::Zero(wide.problem().ownCount());
-  result.groupWeights.assign(wide.problem().groups.size(), 0);
-  for (WindowModel& model : result.models) {
-    model.weight /= kept;
+    window.estimate(estimates, model);
     result.mean += model.weight * model.unknowns;
     for (const WindowMember& member : model.members) {
       result.groupWeights[member.group] += model.weight;
     }
   }
+  result.variance = result.covariance.diagonal();
   for (const WindowModel& model : result.models) {
-    result.variance += model.weight * (result.misfit * model.variances + (model.unknowns - result.mean).cwiseAbs2());
+    result.variance +=
+        model.weight * (model.spread.rowwise().squaredNorm() + (model.unknowns - result.mean).cwiseAbs2());
   }
   requireFinite(result.mean.allFinite() && result.variance.allFinite());
+  result.undetected = window.listUndetected(estimates, result.models.front());
   return result;
 }
 
-std::array<double, 2> ModelWindow::interval(Eigen::Index unknown) const {
-  const double half = misfit > 1 ? studentHalfWidth(freedom) : studentHalfWidth(1e6);
-  const auto spread = [&](const WindowModel& model) { return std::sqrt(misfit * model.variances[unknown]); };
-  const auto bound = [&](double sign) {
-    double least = std::numeric_limits<double>::infinity(), most = -least;
-    for (const WindowModel& model : models) {
-      const double own = model.unknowns[unknown] + sign * half * spread(model);
-      least = std::min(least, own);
-      most = std::max(most, own);
+std::vector<StudentMixture::Part> ModelWindow::along(const Eigen::VectorXd& own, const Eigen::VectorXd& columns) const {
+  const double alone = own.dot(covariance * own);
+  std::vector<StudentMixture::Part> result;
+  for (const WindowModel& model : models) {
+    Eigen::VectorXd spread = model.spread.transpose() * own;
+    double value = own.dot(model.unknowns);
+    if (!model.columns.empty()) {
+      const Eigen::VectorXd slopes = columns(model.columns);
+      spread += model.sizeSpread.transpose() * slopes;
+      value += slopes.dot(model.sizes);
     }
-    const auto excess = [&](double value) {
-      double below = 0;
-      for (const WindowModel& model : models) {
-        const double t = (value - model.unknowns[unknown]) / spread(model);
-        below += model.weight * (misfit > 1 ? studentBelow(t, freedom) : 0.5 * std::erfc(-t / std::numbers::sqrt2));
-      }
-      return below - (sign < 0 ? 0.025 : 0.975);
-    };
-    if (excess(least) >= 0 || excess(most) <= 0) { // a single model, or identical bounds
-      return excess(least) >= 0 ? least : most;
-    }
-    std::uintmax_t steps = 50;
-    const auto [low, high] =
-        boost::math::tools::toms748_solve(excess, least, most, boost::math::tools::eps_tolerance<double>(20), steps);
-    return 0.5 * (low + high);
-  };
-  return {bound(-1), bound(1)};
+    result.push_back({model.weight, value, std::sqrt(alone + spread.squaredNorm())});
+  }
+  return result;
 }
 
 } // namespace naocal

@@ -1,8 +1,9 @@
 #pragma once
 
-#include "inference/WideModel.hpp"
+#include "inference/ScoreProblem.hpp"
+#include "math/StudentMixture.hpp"
 
-#include <array>
+#include <compare>
 #include <cstddef>
 #include <vector>
 
@@ -20,14 +21,26 @@ struct WindowMember {
 /// One explanation of the captures: the model's own unknowns plus some effects and curves, each with a prior width.
 struct WindowModel {
   std::vector<WindowMember> members;
-  std::vector<double> widths; // of each member's prior, in units of what is plausible (`plausibleWidths`)
-  double cost = 0;            // -2 ln of its posterior probability, up to a constant: 0 for the model alone
-  double weight = 0;          // its share among the window's models
-  double chi2 = 0;            // misfit between poses (`PoseMisfit`), of the model with its members
-  double freedom = 0;         // degrees of freedom of `chi2`
-  Eigen::VectorXd unknowns;   // own unknowns, refitted with the members
-  Eigen::VectorXd variances;  // variances of `unknowns`
-  Eigen::VectorXd sizes;      // coefficients of the members' columns, concatenated [the columns' units]
+  std::vector<double> widths;        // of each member's prior, in units of what is plausible (`plausibleWidths`)
+  double cost = 0;                   // -2 ln of its posterior probability, up to a constant: 0 for the model alone
+  double weight = 0;                 // its share among the window's models
+  Eigen::VectorXd unknowns;          // own unknowns, refitted with the members (`OwnEstimates`)
+  Eigen::MatrixXd spread;            // F: their covariance is `ModelWindow::covariance` + F F^T
+  Eigen::VectorXd sizes;             // coefficients of the members' columns, concatenated [the columns' units]
+  Eigen::MatrixXd sizeSpread;        // R: u of covariance 1 moves the unknowns by F u and the sizes by R u
+  std::vector<Eigen::Index> columns; // of `sizes`, among those of the problem
+};
+
+/// An effect that the likeliest model lacks, and what it does to the own unknowns where it stays unnoticed: their bias
+/// is `biases` v with |v| <= 1. Its sizes c, in units of what is plausible, then lie within the ellipsoid
+///   c^T (S / lambda + I / 9) c <= 1,
+/// S their information in the likeliest model, lambda the noncentrality that a test of all effects (5 % by Bonferroni)
+/// detects with 80 % power, and 9 = 3^2: beyond three sigma a size is implausible. (RAIM's slope: Brown and Chin 1998;
+/// minimal detectable bias: Baarda 1968.)
+struct UndetectedEffect {
+  std::size_t group;
+  Eigen::MatrixXd biases;
+  Eigen::MatrixXd sizes; // the effect's sizes themselves are this v [the columns' units]
 };
 
 /// Posterior of the own unknowns under model uncertainty: Bayesian model averaging over a window of models.
@@ -40,20 +53,22 @@ struct WindowModel {
 /// leaves when the true effect joins). The window (Occam's window) is the model found, every removal, every swap of one
 /// member, and every addition (Madigan and Raftery, JASA 89 (1994) 1535; Hoeting et al., Statistical Science 14 (1999)
 /// 382), weighted by exp(-D_m / (2 misfit)) (quasi-likelihood: Burnham and Anderson, Model selection, 2002,
-/// section 2.5):
-///   mean = sum w_m unknowns_m,   variance = sum w_m [misfit C_m + (unknowns_m - mean)^2].
+/// section 2.5), with estimates at that misfit (`OwnEstimates`):
+///   mean = sum w_m unknowns_m,   variance = sum w_m [C_m + (unknowns_m - mean)^2].
 /// The first `expected` effects are known to be present without their identity being known; they cost no 2 ln K.
 struct ModelWindow {
-  std::vector<WindowModel> models;  // by decreasing weight; relative weights below 0.001 are dropped
+  std::vector<WindowModel> models;  // by decreasing weight; relative weights below 1e-5 are dropped
   double misfit = 1;                // chi2 / freedom of the likeliest model, at least 1: misfit that no model explains
   double freedom = 0;               // degrees of freedom of the likeliest model
+  Eigen::MatrixXd covariance;       // of the own unknowns, without members
   Eigen::VectorXd mean, variance;   // posterior of the own unknowns
   std::vector<double> groupWeights; // posterior inclusion probability per group of the problem
-  double unnamedGain = 0;           // decrease of the cost by the curves of the likeliest model
+  std::vector<UndetectedEffect> undetected;
+  double unnamedGain = 0; // decrease of the cost by the curves of the likeliest model
 
-  /// 95 % credible interval [low, high] of an own unknown: a mixture of Student's t distributions centred on each
-  /// model's value.
-  std::array<double, 2> interval(Eigen::Index unknown) const;
+  /// What each model says of a linear function of the own unknowns and of all columns' coefficients: weight, value,
+  /// standard error.
+  std::vector<StudentMixture::Part> along(const Eigen::VectorXd& own, const Eigen::VectorXd& columns) const;
 };
 
 /// Costs of two explanations at one noise level, as `WindowModel::cost` but relative to -2 ln likelihood at the
@@ -62,10 +77,10 @@ struct ExplanationCosts {
   double fitted = 0;    // the effects with sizes at the linearisation point, at these sizes; 0 without any
   double likeliest = 0; // the likeliest model found by the search
 };
-ExplanationCosts costExplanations(const WideModel& wide, const Noise& noise);
+ExplanationCosts costExplanations(const ScoreProblem& problem, const Noise& noise);
 
 /// Searches the window at one noise level. `expected`: as above. Models have at most four members; the window contains
 /// at least the likeliest. Throws InputError if its cost or the estimates are not finite.
-ModelWindow searchModelWindow(const WideModel& wide, const Noise& noise, std::size_t expected = 0);
+ModelWindow searchModelWindow(const ScoreProblem& problem, const Noise& noise, std::size_t expected = 0);
 
 } // namespace naocal

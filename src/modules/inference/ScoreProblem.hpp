@@ -64,6 +64,8 @@ struct ScoreProblem {
   std::size_t named = 0;           // number of groups that are candidate effects
   Eigen::Index candidates = 0;     // number of columns of `poses` beyond the own unknowns
   Eigen::VectorXd plausible;       // prior scale of each candidate column's coefficient
+  Eigen::VectorXd sizes;           // coefficients at the linearisation point; empty: zero
+  const std::vector<PoseRows>* plain = nullptr; // own unknowns' rows with all coefficients zero; null: those of `poses`
 
   Eigen::Index ownCount() const { return sigmas.size(); }
   /// Own unknowns among a pose's unknowns (they come first): their number, and their indices.

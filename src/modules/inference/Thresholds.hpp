@@ -44,6 +44,11 @@ inline constexpr double predictsTail = 0.001; // p-value of the misfit in that b
 // What captures tell of an offset [1 - posterior sigma / prior sigma]
 inline constexpr double learned = 0.5; // below it the prior tells more than the captures: not determined
 
+// Where averages over models hold [prior sigmas]
+inline constexpr double untold = 0.1; // information; below it a direction's standard error is more than 95 % of the
+                                      // prior's: only the prior holds it
+inline constexpr double farthest = 4; // a linear step that takes an unknown further is extrapolated: 1 in 16 000 are
+
 // Values beyond what any robot is wrong by
 inline constexpr double farthestTurn = 0.262; // [rad], 15 degrees; worn and fallen NAOs' offsets reach 11.5
 inline constexpr double farthestSlide = 0.1;  // [m], of the zero of a slide

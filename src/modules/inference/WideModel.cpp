@@ -51,11 +51,11 @@ WideModel::WideModel(const Measurements& measurements, const Model& model, std::
     drivers = collectDrivers(measurements, model, unknowns);
     mounts_ = buildMountCurves(measurements, drivers);
   }
-  Model extended = model;
+  extended_ = model;
   std::vector<ColumnGroup> groups;
   const auto extend = [&](const Term& term) {
-    groups.push_back({eigenIndex(extended.unknownCount()) - own, eigenIndex(term.effect.unknowns.size())});
-    extended.add(term);
+    groups.push_back({eigenIndex(extended_.unknownCount()) - own, eigenIndex(term.effect.unknowns.size())});
+    extended_.add(term);
   };
   for (const Term& candidate : candidates_) {
     extend(candidate);
@@ -64,8 +64,8 @@ WideModel::WideModel(const Measurements& measurements, const Model& model, std::
     extend(mount.term);
     groups.back().part = 3;
   }
-  const Eigen::Index columns = eigenIndex(extended.unknownCount()) - own;
-  poses_ = linearizedRows(measurements, extended, point);
+  const Eigen::Index columns = eigenIndex(extended_.unknownCount()) - own;
+  poses_ = linearizedRows(measurements, extended_, point);
   map_ = buildDriverColumns(measurements, std::move(drivers), poses_);
   for (const DriverBasis& cell : map_.cells) {
     const bool nested = cell.shape == DriverBasis::Shape::smooth;
@@ -75,9 +75,24 @@ WideModel::WideModel(const Measurements& measurements, const Model& model, std::
   problem_.groups = std::move(groups);
   problem_.named = candidates_.size();
   problem_.plausible.resize(columns + map_.count);
-  problem_.plausible << extended.sigmas().tail(columns), Eigen::VectorXd::Constant(map_.count, curvePriorSigma);
-  sizes_ = Eigen::VectorXd::Zero(columns + map_.count);
-  sizes_.head(point.state.unknowns.size() - own) = point.state.unknowns.tail(point.state.unknowns.size() - own);
+  problem_.plausible << extended_.sigmas().tail(columns), Eigen::VectorXd::Constant(map_.count, curvePriorSigma);
+  problem_.sizes = Eigen::VectorXd::Zero(columns + map_.count);
+  problem_.sizes.head(point.state.unknowns.size() - own) = point.state.unknowns.tail(point.state.unknowns.size() - own);
+  unknowns_.resize(own + columns);
+  unknowns_ << unknowns, problem_.sizes.head(columns);
+  if (!problem_.sizes.isZero(0)) {
+    linearizePlainly(model, point);
+  }
+}
+
+void WideModel::linearizePlainly(const Model& model, const FittedPoint& point) {
+  Residuals::State state = point.state;
+  state.unknowns.conservativeResize(eigenIndex(model.unknownCount()));
+  const Loss quadratic; // a robust one would take the effects' absence for doubtful measurements
+  if (auto rows = Residuals{measurements_, model, point.noise, quadratic}.rows(state)) {
+    plain_ = *std::move(rows);
+    problem_.plain = &plain_;
+  }
 }
 
 } // namespace naocal

@@ -29,22 +29,27 @@ public:
             const FittedPoint& point, bool curves);
 
   const std::vector<Term>& candidates() const { return candidates_; }
+  /// The model with the candidates and the mounts' curves, and its unknowns at the linearisation point.
+  const Model& extended() const { return extended_; }
+  const Eigen::VectorXd& unknowns() const { return unknowns_; }
   const std::vector<PoseRows>& poses() const { return poses_; }
   const std::vector<MountCurve>& mounts() const { return mounts_; }
   const DriverColumns& map() const { return map_; }
   const ScoreProblem& problem() const { return problem_; }
   const std::string& jointName(std::size_t joint) const { return measurements_.robot.joints[joint].name; }
-  /// Coefficients of all columns at the linearisation point: zero except for the given candidates.
-  const Eigen::VectorXd& sizes() const { return sizes_; }
 
 private:
+  /// Fills `ScoreProblem::plain`, unless without the effects a corner that was seen would lie behind the camera.
+  void linearizePlainly(const Model& model, const FittedPoint& point);
+
   const Measurements& measurements_;
   std::vector<Term> candidates_;
+  Model extended_;
+  Eigen::VectorXd unknowns_;
   std::vector<MountCurve> mounts_;
-  std::vector<PoseRows> poses_;
+  std::vector<PoseRows> poses_, plain_;
   DriverColumns map_;
   ScoreProblem problem_;
-  Eigen::VectorXd sizes_;
 };
 
 } // namespace naocal

@@ -1,5 +1,6 @@
 #include "report/ResultData.hpp"
 
+#include "calibration/result/Wording.hpp"
 #include "io/Units.hpp"
 #include "report/PageValues.hpp"
 #include "report/ReadingsData.hpp"
@@ -36,6 +37,24 @@ std::string nameRobot(const std::string& model) {
   return isNao ? "NAO " + model : model;
 }
 
+/// The sentence about an unlikely explanation that would move the estimate far (`formatShoulder`), if any.
+json farJson(const std::string& name, const JsonCursor& unknown) {
+  const auto averaged = unknown.find("averaged");
+  const auto shoulder = averaged ? averaged->find("shoulder") : std::nullopt;
+  if (!shoulder || shoulder->value().is_null()) {
+    return nullptr;
+  }
+  const auto without = shoulder->find("without");
+  const std::vector<double> bound = averaged->at("bound").numbers(2, {-1e15, 1e15, ""}, "lower and upper end");
+  return formatShoulder(
+      name, unknown.at("unit").text(),
+      {.sigma = averaged->at("sigma").number({0, 1e15, ""}),
+       .bound = {bound[0], bound[1]},
+       .shoulder =
+           Shoulder{shoulder->at("effects").texts(), without ? without->texts() : std::vector<std::string>{},
+                    shoulder->at("weight").number({0, 1, ""}), shoulder->at("value").number({-1e15, 1e15, ""})}});
+}
+
 /// The averaged estimate if alternative models were tested, otherwise that of the model, which is also given as
 /// `fitted`.
 json estimateJson(const std::string& name, const JsonCursor& unknown, double scale) {
@@ -49,6 +68,7 @@ json estimateJson(const std::string& name, const JsonCursor& unknown, double sca
           {"fitted", scale * unknown.at("value").number({-1e15, 1e15, ""})},
           {"low", scale * ends[0]},
           {"high", scale * ends[1]},
+          {"far", farJson(name, unknown)},
           {"learned", unknown.at("learned").number({-1e15, 1, ""})}};
 }
 

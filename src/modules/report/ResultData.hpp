@@ -8,8 +8,8 @@
 namespace naocal {
 
 /// A result's estimates grouped by effect and unit, so that each group shares an axis. [{"title": "joint offset",
-/// "unit": "°", "rows": [{"name": "LKneePitch", "value", "sigma", "low", "high", "learned"}]}] with the standard error
-/// and the ends of the 95 % interval.
+/// "unit": "°", "rows": [{"name": "LKneePitch", "value", "sigma", "low", "high", "learned", "far"}]}] with the standard
+/// error, the ends of the 95 % interval, and what would move it far, or null.
 nlohmann::json estimatesData(const JsonCursor& effects);
 
 /// Data of a result page, in display units (degrees, millimetres, pixels): corners by picture, other readings by

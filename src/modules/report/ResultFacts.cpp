@@ -165,6 +165,19 @@ Fact misfitFact(const JsonCursor& result) {
   return {formatError(numberAt(result, "noiseFloorPx"), shownErrorUnit(result)), "is the noise floor; " + chance};
 }
 
+/// The bound carried to the task, beside its tolerance.
+std::optional<Fact> taskFact(const JsonCursor& result) {
+  const auto task = result.find("task");
+  if (!task || task->value().is_null()) {
+    return std::nullopt;
+  }
+  return Fact{
+      formatSize(numberAt(*task, "bound"), "m"),
+      fmt::format("is the bound (99.95 %) of how far off the {} may be, everything that may be missing included; "
+                  "the tolerance is {}.",
+                  task->at("what").text(), formatSize(numberAt(*task, "tolerance"), "m"))};
+}
+
 } // namespace
 
 VerdictWords verdictWords(const JsonCursor& result) {
@@ -191,6 +204,9 @@ std::vector<Fact> facts(const JsonCursor& result, std::size_t pictures, const st
     all.push_back({fmt::format("± {:.1f} mm", 1000 * floor),
                    "is how far off the robot will see a point on the floor 2 m ahead (1 sigma); below 50 mm is good "
                    "enough to play."});
+  }
+  if (const auto fact = taskFact(result)) {
+    all.push_back(*fact);
   }
   all.push_back(misfitFact(result));
   if (pictures > 0) {

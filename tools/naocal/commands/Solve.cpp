@@ -159,6 +159,12 @@ void addSolve(CLI::App& app, int& exitCode) {
   solver->add_option("--seed", command->options.seed, "seed of the random starting points")
       ->group(expertOptions)
       ->capture_default_str();
+  solver
+      ->add_option("--tolerance", command->options.tolerance,
+                   "largest bound (99.95 %) of the error at the task at which the result is usable [m]; default: of a "
+                   "ball 2 m ahead 0.05 where a cause is missing, of a robot's tool 10 noise floors")
+      ->type_name("METRES")
+      ->check(number(1e-6, 10.0));
   solver->add_flag("--same-place", command->samePlace,
                    "boards and stances with the same id have the same placement in all sets");
   solver->add_flag("--skip-bad", command->skipBad, "use the other captures when some cannot be used, and list those");

@@ -37,30 +37,42 @@ struct CalibrationOptions {
   int restarts = 0; // additional random starts; the lowest cost wins
   std::uint64_t seed = 1;
   std::optional<Eigen::VectorXd>
-      start;                // initial unknowns; default: zero, with placements initialised from the pictures
-  std::optional<Loss> loss; // loss under which `start` was found; continues that search
+      start;                       // initial unknowns; default: zero, with placements initialised from the pictures
+  std::optional<double> tolerance; // largest bound of the task's error [m] at which a result is usable; default: `Task`
+  std::optional<Loss> loss;        // loss under which `start` was found; continues that search
 };
 
-/// An unknown's estimate averaged over possible missing effects (`ModelWindow`).
+/// An explanation that alone makes a bound more than 1.5 times as wide as the likeliest explanation does.
+struct Shoulder {
+  std::vector<std::string> effects; // as of `Explanation`
+  std::vector<std::string> without;
+  double weight = 0; // its posterior weight, at least 0.0001
+  double value = 0;  // under this explanation [the unknown's unit]
+};
+
+/// An estimate averaged over possible missing effects (`ModelAverage`). An average over models may be narrow with a far
+/// shoulder, so that a multiple of its sigma is no bound.
 struct Averaged {
   double value = 0, sigma = 0;
-  double low = 0, high = 0; // 95 % interval
+  std::array<double, 2> interval = {}; // 95 % between [low, high]
+  std::array<double, 2> bound = {};    // 99.95 %
+  std::optional<Shoulder> shoulder = {};
 };
 
 /// Estimate of one unknown.
 struct Estimate {
   double value = 0;                      // under the model as given [the unknown's unit]
-  double sigma = 0;                      // standard error, already scaled by `sigmaScale`
+  double sigma = 0;                      // standard error, the misfit included
   double halfWidth = 0;                  // of the 95 % interval: Student's t if few poses determine the noise levels
   double freedom = 0;                    // degrees of freedom of that t distribution
-  double learned = 0;                    // 1 - `bestSigma()` / prior sigma, at least 0
+  double learned = 0;                    // 1 - `bestSigma` / prior sigma, at least 0
   std::optional<Averaged> averaged = {}; // if `CalibrationOptions::testMissingEffects`
 
   /// Final value: averaged over possible missing effects if tested, else under the model as given.
   double best() const { return averaged ? averaged->value : value; }
   double bestSigma() const { return averaged ? averaged->sigma : sigma; }
   std::array<double, 2> interval() const {
-    return averaged ? std::array{averaged->low, averaged->high} : std::array{value - halfWidth, value + halfWidth};
+    return averaged ? averaged->interval : std::array{value - halfWidth, value + halfWidth};
   }
 };
 
@@ -150,6 +162,21 @@ enum class ResultVerdict {
   doNotUse
 };
 
+/// The point by which a result is judged, with its uncertainty [m] (`estimateTask`).
+struct Task {
+  std::string what; // "ball at 2 m" or "tool"
+  double sigma = 0, bound = 0;
+  double tolerance = 0;
+  bool isGiven = false; // the tolerance is the user's
+};
+
+/// The worst bias that the captures would not show with 80 % power (`findUndetectable`).
+struct Undetectable {
+  std::string effect; // that causes it: "elasticity@LKneePitch"
+  std::string of;     // "task", or the joint whose offset it shifts
+  double bias = 0;    // [m], or the offset's unit
+};
+
 struct CalibrationResult {
   bool converged = false;
   ResultVerdict verdict = ResultVerdict::good;
@@ -159,7 +186,7 @@ struct CalibrationResult {
   std::vector<Warning> warnings;
   Eigen::VectorXd unknowns;
   std::vector<Estimate> estimates; // one per unknown
-  Eigen::MatrixXd covariance;      // of the unknowns, scaled by `misfit`
+  Eigen::MatrixXd covariance;      // of the unknowns, at `misfit` (`temperPrecision`)
   Residuals::State state;
   std::vector<BoardResidual> residuals;          // at the estimate, including the joints' deflections
   std::vector<BoardResidual> withReportedAngles; // the same observations, with joint angles as read
@@ -186,7 +213,9 @@ struct CalibrationResult {
   std::vector<DoubtfulReading> doubtfulReadings;
   std::vector<SharedCause> sharedCauses; // of measurements that lie far from the likeliest explanation
   RejectedMeasurements rejected;
-  double floorErrorAt2m = 0; // 1-sigma error of a floor point 2 m ahead [m], times `sigmaScale`; 0 without floor boards
+  double floorErrorAt2m = 0; // 1-sigma error of a floor point 2 m ahead [m] at `misfit`; 0 without floor boards
+  std::optional<Task> task;
+  std::optional<Undetectable> undetectable;
   int iterations = 0;
   int restartsTried = 0;
   bool restartsChanged = false;

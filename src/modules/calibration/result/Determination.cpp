@@ -7,6 +7,7 @@
 #include "math/LinearAlgebra.hpp"
 #include "measurements/JointMotion.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
@@ -79,6 +80,31 @@ bool isLearned(const FittedModel& fitted, std::size_t unknown) {
   return fitted.fit.estimates[unknown].learned >= threshold::learned;
 }
 
+/// Whether an offset is learned by the captures themselves: also if nothing were known of the cameras' mounts before.
+/// Without the priors of variances D of the mounts' unknowns m, the covariance C becomes C + C_.m (D - C_mm)^-1 C_m.
+bool isLearnedByCaptures(const FittedModel& fitted, const Term& offset) {
+  std::vector<Eigen::Index> mounts;
+  for (const Term& term : fitted.model.terms()) {
+    for (std::size_t i = 0; i < term.effect.unknowns.size() && isMount(term); ++i) {
+      mounts.push_back(eigenIndex(term.first + i));
+    }
+  }
+  const auto own = eigenIndex(offset.first);
+  double variance = std::pow(fitted.fit.estimates[offset.first].sigma, 2);
+  if (!mounts.empty()) {
+    const Eigen::MatrixXd& covariance = fitted.fit.covariance;
+    const Eigen::VectorXd priors = fitted.model.sigmas()(mounts);
+    const Eigen::MatrixXd scaled =
+        priors.cwiseInverse().asDiagonal() * covariance(mounts, mounts) * priors.cwiseInverse().asDiagonal();
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes{scaled};
+    const Eigen::VectorXd with =
+        axes.eigenvectors().transpose() * covariance.col(own)(mounts).cwiseQuotient(priors); // to what the prior tells
+    constexpr double least = 1e-6; // share that the captures tell, at least: no prior is left without any other
+    variance += (with.array().square() / (1 - axes.eigenvalues().array()).max(least)).sum();
+  }
+  return std::sqrt(variance) <= (1 - threshold::learned) * offset.effect.unknowns.front().sigma;
+}
+
 /// Whether an unknown of a term would be learned if those of the terms that meet a condition were known.
 template <class Condition>
 bool isLearnedGiven(const FittedModel& fitted, const Term& term, std::size_t i, const Condition& isKnown) {
@@ -142,7 +168,7 @@ void addEffect(const FittedModel& fitted, const Term& term, std::vector<std::str
 HeldOffsets findHeldOffsets(const FittedModel& fitted) {
   HeldOffsets held;
   for (const Term& term : fitted.model.terms()) {
-    if (!fitted.measurements.quantities.scene().hasLinkSteps || !isOffset(term) || isLearned(fitted, term.first) ||
+    if (!fitted.measurements.quantities.scene().hasLinkSteps || !isOffset(term) || isLearnedByCaptures(fitted, term) ||
         isStill(term.placeIndex, fitted.measurements) || !isLearnedGiven(fitted, term, 0, canImitate)) {
       continue;
     }

@@ -140,6 +140,41 @@ std::string shortName(const std::string& unknown) {
   return unknown.starts_with(offset) ? unknown.substr(offset.size(), unknown.rfind('.') - offset.size()) : unknown;
 }
 
+json averagedJson(const Averaged& averaged) {
+  json result{{"value", averaged.value},
+              {"sigma", averaged.sigma},
+              {"interval", averaged.interval},
+              {"bound", averaged.bound},
+              {"shoulder", nullptr}};
+  if (const auto& shoulder = averaged.shoulder) {
+    result["shoulder"] = {{"effects", shoulder->effects}, {"weight", shoulder->weight}, {"value", shoulder->value}};
+    if (!shoulder->without.empty()) {
+      result["shoulder"]["without"] = shoulder->without;
+    }
+  }
+  return result;
+}
+
+json taskJson(const CalibrationResult& result) {
+  if (!result.task) {
+    return nullptr;
+  }
+  return {{"what", result.task->what},
+          {"unit", "m"},
+          {"sigma", result.task->sigma},
+          {"bound", result.task->bound},
+          {"tolerance", result.task->tolerance}};
+}
+
+/// The pose that would show the bias is the planner's to find.
+json undetectableJson(const CalibrationResult& result) {
+  if (!result.undetectable) {
+    return nullptr;
+  }
+  const Undetectable& worst = *result.undetectable;
+  return {{"effect", worst.effect}, {"bias", {{worst.of, worst.bias}}}, {"pose", nullptr}};
+}
+
 json effectsJson(const Model& model, const CalibrationResult& result) {
   json effects = json::array();
   for (const Term& term : model.terms()) {
@@ -157,8 +192,7 @@ json effectsJson(const Model& model, const CalibrationResult& result) {
           {"interval95", {estimate.value - estimate.halfWidth, estimate.value + estimate.halfWidth}},
           {"degreesOfFreedom", estimate.freedom}};
       if (const auto& averaged = estimate.averaged) {
-        unknowns[term.effect.unknowns[i].name]["averaged"] = {
-            {"value", averaged->value}, {"sigma", averaged->sigma}, {"interval", {averaged->low, averaged->high}}};
+        unknowns[term.effect.unknowns[i].name]["averaged"] = averagedJson(*averaged);
       }
     }
     effects.push_back({{"effect", term.effect.name}, {"at", term.placeName}, {"unknowns", std::move(unknowns)}});
@@ -367,6 +401,8 @@ json resultJson(const FittedModel& fitted, const ResultSources& inputs) {
                   {"weak", weakJson(fitted.fit)},
                   {"doubtful", outliersJson(fitted.measurements, fitted.fit)},
                   {"floorErrorAt2m", fitted.fit.floorErrorAt2m},
+                  {"task", taskJson(fitted.fit)},
+                  {"undetectable", undetectableJson(fitted.fit)},
                   {"iterations", fitted.fit.iterations},
                   {"restarts", {{"tried", fitted.fit.restartsTried}, {"changedTheAnswer", fitted.fit.restartsChanged}}},
                   {"seconds", fitted.fit.seconds},

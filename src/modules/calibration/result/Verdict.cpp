@@ -1,6 +1,7 @@
 #include "calibration/result/Verdict.hpp"
 
 #include "calibration/Outliers.hpp"
+#include "calibration/Task.hpp"
 #include "calibration/Uncertainty.hpp"
 #include "calibration/result/Assumptions.hpp"
 #include "calibration/result/Determination.hpp"
@@ -57,11 +58,26 @@ bool isNoise(const CalibrationResult& result, double mostRejected) {
   return rejected.presentPx <= most || (rejected.keptPx <= most && rejected.share() <= mostRejected);
 }
 
-/// Whether the model explains the captures, and if not, whether the offsets remain reliable. `missing`: something is
+/// Whether the answer is precise enough with a cause missing: the task's bound is within its tolerance, or without a
+/// task half of every offset's 95 % interval within half a degree.
+bool isPreciseEnough(const Model& model, const CalibrationResult& result, const HeldOffsets& held) {
+  constexpr double widest = radians(0.5); // [rad]
+  if (result.task) {
+    return result.task->bound <= result.task->tolerance;
+  }
+  return std::all_of(model.terms().begin(), model.terms().end(), [&](const Term& term) {
+    if (term.effect.name != effectName::jointOffset || !term.requested || held.contains(term.first)) {
+      return true;
+    }
+    const auto [low, high] = result.estimates[term.first].interval();
+    return high - low < 2 * widest;
+  });
+}
+
+/// Whether the model explains the captures, and if not, whether the answer remains reliable. `missing`: something is
 /// missing for another reason.
 ResultVerdict judgeExplained(const Model& model, const CalibrationResult& result, const HeldOffsets& held,
                              bool missing) {
-  constexpr double widest = radians(0.5); // [rad]: limit of half an offset's 95 % interval
   const bool fits =
       result.misfitLeft < threshold::mostMisfit(result.misfitFreedom) || result.rmsPx < result.noiseFloorPx;
   const bool isExplained = !missing && fits && result.noise.pose < suspectScatter;
@@ -71,13 +87,7 @@ ResultVerdict judgeExplained(const Model& model, const CalibrationResult& result
   if (isExplained && isNoise(result, threshold::manyRejected)) { // the rest is explained, however wide the intervals
     return ResultVerdict::causeMissing;
   }
-  bool holds = result.misfitLeft < threshold::bearableMisfit;
-  for (const Term& term : model.terms()) {
-    if (term.effect.name == effectName::jointOffset && term.requested && !held.contains(term.first)) {
-      const auto [low, high] = result.estimates[term.first].interval();
-      holds = holds && high - low < 2 * widest;
-    }
-  }
+  const bool holds = result.misfitLeft < threshold::bearableMisfit && isPreciseEnough(model, result, held);
   return holds ? ResultVerdict::causeMissing : ResultVerdict::doNotUse;
 }
 
@@ -120,6 +130,16 @@ void checkFloorError(CalibrationResult& result) {
                         1e3 * result.floorErrorAt2m, 1e3 * largest)},
            result);
   }
+}
+
+/// The sentence about a bound beyond the tolerance, if it is. `isGiven`: of a tolerance that the user gave.
+std::vector<std::string> describeBound(bool isGiven, const CalibrationResult& result) {
+  if (!result.task || result.task->isGiven != isGiven || result.task->bound <= result.task->tolerance) {
+    return {};
+  }
+  return {fmt::format(
+      "{}: the bound of the error, {:.2g} mm (99.95 %), is beyond the tolerance of {:.2g} mm: take more poses",
+      result.task->what, 1e3 * result.task->bound, 1e3 * result.task->tolerance)};
 }
 
 /// Warns of doubtful measurements of one kind: "corner", "reading".
@@ -204,6 +224,7 @@ void judgeResult(const Measurements& measurements, const Model& model, Calibrati
   const HeldOffsets held = findHeldOffsets({measurements, model, result});
   forbid(About::offset, listUndetermined({measurements, model, result}, held), result);
   checkFloorError(result);
+  forbid(About::floor, describeBound(true, result), result);
   const bool missing = (result.pValue <= threshold::alarm && result.matters) || !result.sharedCauses.empty();
   const DisplacedBoardCount displaced{measurements, result.outliers};
   result.verdict =
@@ -220,6 +241,9 @@ void judgeResult(const Measurements& measurements, const Model& model, Calibrati
     result.sentence += " " + formatNegligible(*result.negligible, errorUnitOf(measurements, result.noise));
   }
   warnOfHeldOffsets(model, held, result);
+  for (const std::string& sentence : describeBound(false, result)) { // decides only where a cause is missing
+    warn(About::floor, sentence, result);
+  }
   warnOfOutliers(result);
   warnOfSharedCause(result);
   for (const std::string& sentence : describeDisplacedBoards(measurements, result)) {

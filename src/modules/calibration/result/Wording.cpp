@@ -109,6 +109,31 @@ std::string describeImitator(const Term& term) {
   }
 }
 
+std::string formatShoulder(const std::string& name, const std::string& unit, const Averaged& averaged) {
+  if (!averaged.shoulder) {
+    return {};
+  }
+  const Shoulder& shoulder = *averaged.shoulder;
+  const auto [shown, scale] = displayUnit(unit);
+  const int decimals = decimalsFor(scale * averaged.sigma);
+  const auto format = [&, &shownUnit = shown, &factor = scale](double value) {
+    return appendUnit(fmt::format("{:.{}f}", factor * value, decimals), shownUnit);
+  };
+  const std::string cause =
+      shoulder.effects.empty()
+          ? "nothing is missing"
+          : joinWords(shoulder.effects) + (shoulder.effects.size() == 1 ? " is missing" : " are missing");
+  const std::string instead = shoulder.without.empty() ? "" : " and not " + joinWords(shoulder.without);
+  const std::string low = format(averaged.bound[0]), high = format(averaged.bound[1]);
+  if (std::abs(shoulder.value - averaged.value) <
+      0.1 * (averaged.bound[1] - averaged.bound[0])) { // no other value: wider
+    return fmt::format("{} may lie from {} to {} (99.95 %) if {}{} ({:.2g} %)", name, low, high, cause, instead,
+                       100 * shoulder.weight);
+  }
+  return fmt::format("{} may be {} ({:.2g} %) if {}{}; 99.95 % bound {} to {}", name, format(shoulder.value),
+                     100 * shoulder.weight, cause, instead, low, high);
+}
+
 std::string formatJointNoise(const Noise& noise, bool hasUnknownSteps) {
   const std::string encoders = hasUnknownSteps ? "encoders' steps unknown, their noise part of the"
                                                : fmt::format("encoders {:.4f}°,", degrees(noise.encoder));

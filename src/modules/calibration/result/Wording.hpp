@@ -15,6 +15,12 @@ std::string describeUnknown(const Term& term, std::size_t unknown);
 /// A term that can imitate a joint's offset, an unknown placement or a link geometry: "where tracker vicon stands".
 std::string describeImitator(const Term& term);
 
+/// An unlikely explanation that would move an estimate far, and how far it may be off then; empty without one:
+/// "LKneePitch may be -1.90° (3 %) if elasticity@LKneePitch is missing; 99.95 % bound -2.05° to 0.31°". Where it makes
+/// the estimate uncertain instead: "LKneePitch may lie from -2.05° to 0.31° (99.95 %) if ...". `unit`: of the unknown,
+/// SI.
+std::string formatShoulder(const std::string& name, const std::string& unit, const Averaged& averaged);
+
 /// Noise of encoders and joints, 1 sigma: "encoders 0.0250°, joint scatter 0.0123° from pose to pose and 0.0100° from
 /// stance to stance". `hasUnknownSteps`: an encoder's noise is part of the scatter (`Measurements::hasUnknownSteps`).
 std::string formatJointNoise(const Noise& noise, bool hasUnknownSteps);

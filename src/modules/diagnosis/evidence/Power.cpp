@@ -1,5 +1,6 @@
 #include "diagnosis/evidence/Power.hpp"
 #include "inference/Thresholds.hpp"
+#include "math/Statistics.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -31,11 +32,6 @@ double detectionPower(double noncentrality, Eigen::Index freedom, double critica
   return cdf(complement(shifted, criticalChi2(freedom, criticalP)));
 }
 
-double requiredNoncentrality(double power, Eigen::Index freedom, double criticalP) {
-  return boost::math::non_central_chi_squared::find_non_centrality(static_cast<double>(freedom),
-                                                                   criticalChi2(freedom, criticalP), 1 - power);
-}
-
 Sensitivity computeSensitivity(const GroupEvidence& group, const Eigen::VectorXd& plausible, double criticalP) {
   const Eigen::Index count = plausible.size();
   Sensitivity result{0, std::vector<double>(static_cast<std::size_t>(count), std::numeric_limits<double>::infinity())};
@@ -43,7 +39,7 @@ Sensitivity computeSensitivity(const GroupEvidence& group, const Eigen::VectorXd
     return result;
   }
   const Eigen::VectorXd information = group.covariance.inverse().diagonal();
-  const double needed = requiredNoncentrality(0.9, group.freedom, criticalP);
+  const double needed = requiredNoncentrality(0.9, static_cast<double>(group.freedom), criticalP);
   double least = std::numeric_limits<double>::infinity();
   for (Eigen::Index i = 0; i < count; ++i) {
     least = std::min(least, plausible[i] * plausible[i] * information[i]);

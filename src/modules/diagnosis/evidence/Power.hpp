@@ -13,9 +13,6 @@ bool isPlausible(const GroupEvidence& group, const Eigen::VectorXd& sigmas);
 /// Detection probability (p-value below `criticalP`) at this noncentrality; 0 without degrees of freedom.
 double detectionPower(double noncentrality, Eigen::Index freedom, double criticalP);
 
-/// Noncentrality that is detected with probability `power`.
-double requiredNoncentrality(double power, Eigen::Index freedom, double criticalP);
-
 /// Detectability of a candidate, from the information V = covariance^-1 of its unknowns.
 struct Sensitivity {
   double power = 0;               // at the plausible size of the unknown hardest to detect

@@ -23,6 +23,38 @@ std::string bar(double share) {
   return result;
 }
 
+/// "LKneePitch" for its offset, which stands for the joint; else effect, place and unknown.
+std::string nameUnknown(const Term& term, const Unknown& unknown) {
+  return term.effect.name == effectName::jointOffset ? term.placeName
+                                                     : fmt::format("{} {}", term.label(), unknown.name);
+}
+
+/// Explanations that would move an estimate far.
+void printShoulders(const Model& model, const CalibrationResult& result) {
+  for (const Term& term : model.terms()) {
+    for (std::size_t i = 0; i < term.effect.unknowns.size() && !term.isPlacement && term.requested; ++i) {
+      const Unknown& unknown = term.effect.unknowns[i];
+      const auto& averaged = result.estimates[term.first + i].averaged;
+      if (averaged && averaged->shoulder) {
+        printText("\nfar: {}\n", formatShoulder(nameUnknown(term, unknown), unknown.unit, *averaged));
+      }
+    }
+  }
+}
+
+/// What the uncertainty means for the task, and what could bias it unnoticed.
+void printTask(const CalibrationResult& result) {
+  if (!result.task) {
+    return;
+  }
+  printText("{}: {:.2g} mm off (1 sigma), at most {:.2g} mm (99.95 %); tolerance {:.2g} mm\n", result.task->what,
+            1e3 * result.task->sigma, 1e3 * result.task->bound, 1e3 * result.task->tolerance);
+  if (result.undetectable && result.undetectable->of == "task") {
+    printText("what these captures might not show: {} can shift it by {:.2g} mm\n", result.undetectable->effect,
+              1e3 * result.undetectable->bias);
+  }
+}
+
 void printEstimates(const Model& model, const CalibrationResult& result) {
   printText("\n  {:<38} {:>12}     {:>10}     learned\n", "unknown", "estimate", "±  1 sigma");
   for (const Term& term : model.terms()) {
@@ -30,9 +62,7 @@ void printEstimates(const Model& model, const CalibrationResult& result) {
       const Unknown& unknown = term.effect.unknowns[i];
       const Estimate& estimate = result.estimates[term.first + i];
       const auto [unit, scale] = displayUnit(unknown.unit);
-      const std::string name = term.effect.name == effectName::jointOffset
-                                   ? term.placeName
-                                   : fmt::format("{} {}", term.label(), unknown.name);
+      const std::string name = nameUnknown(term, unknown);
       printText("  {:<38} {:>10.4f} {:<4}  {:>8.4f} {:<4}  {:>3.0f} % {}\n", name, scale * estimate.best(), unit,
                 scale * estimate.bestSigma(), unit, 100 * estimate.learned, bar(estimate.learned));
     }
@@ -83,7 +113,9 @@ void printCalibration(const FittedModel& fitted) {
   if (fitted.fit.floorErrorAt2m > 0) {
     printText("a floor point 2 m ahead will be seen {:.1f} mm off (1 sigma)\n", 1e3 * fitted.fit.floorErrorAt2m);
   }
+  printTask(fitted.fit);
   printEstimates(fitted.model, fitted.fit);
+  printShoulders(fitted.model, fitted.fit);
   for (const WeakDirection& weak : fitted.fit.weak) {
     printText("\nweak: {}\n", weak.sentence);
   }

@@ -283,7 +283,8 @@ export interface Fact {
 export interface EstimateGroup {
   title: string;
   unit: string;
-  rows: {name: string, value: number, sigma: number, low: number, high: number, learned: number}[];
+  /** far: an unlikely explanation that would move it far. */
+  rows: {name: string, value: number, sigma: number, low: number, high: number, learned: number, far?: string | null}[];
 }
 
 export interface Result {
