@@ -337,27 +337,32 @@ double toleranceOf(const TaskPoint& point, const FittedModel& fitted) {
   return 0;
 }
 
-/// Shifts of the task's point by the own unknowns and by all columns of the widest explanation.
+/// Shifts of the task's point: by the own unknowns and by all columns of the widest explanation, and by the fitted
+/// values, which are what a robot is given.
 struct TaskShifts {
   Eigen::MatrixXd own, columns;
+  Eigen::VectorXd given;
 };
 
-std::optional<TaskShifts> shiftsUnder(const WideModel& wide, const TaskPoint& point, const Measurements& measurements) {
-  const LinearisedModel at{measurements, wide.extended(), wide.unknowns()};
+std::optional<TaskShifts> shiftsUnder(const WideModel& wide, const TaskPoint& point, const FittedModel& fitted) {
+  const LinearisedModel at{fitted.measurements, wide.extended(), wide.unknowns()};
   const auto shift = shiftOf(point, at);
   if (!shift) {
     return std::nullopt;
   }
-  const Eigen::MatrixXd slopes = byUnknowns(*shift, point, at), curves = byCurves(*shift, point, measurements, wide);
-  TaskShifts result{slopes.leftCols(wide.problem().ownCount()), {}};
+  const Eigen::MatrixXd slopes = byUnknowns(*shift, point, at),
+                        curves = byCurves(*shift, point, fitted.measurements, wide);
+  TaskShifts result{slopes.leftCols(wide.problem().ownCount()),
+                    {},
+                    slopes * mapParameters(fitted.model, fitted.fit.unknowns, wide.extended())};
   result.columns.resize(slopes.rows(), wide.problem().plausible.size());
   result.columns << slopes.rightCols(wide.problem().candidates), curves;
   return result;
 }
 
-/// Distance from the estimate to the further end of a bound.
-double reach(const Averaged& averaged) {
-  return std::max(averaged.bound[1] - averaged.value, averaged.value - averaged.bound[0]);
+/// Distance from a value to the further end of a bound.
+double reach(double value, const std::array<double, 2>& bound) {
+  return std::max(bound[1] - value, value - bound[0]);
 }
 
 /// The joint offset with the largest bias, relative to its prior.
@@ -386,8 +391,7 @@ double predictFloorErrorAt2m(const FittedModel& fitted) {
 void fillTask(const FittedModel& fitted, const ModelAverage* average, std::optional<double> tolerance,
               CalibrationResult& result) {
   const auto found = findTaskPoint(fitted);
-  const auto shifts =
-      found && average ? shiftsUnder(average->wide(), found->second, fitted.measurements) : std::nullopt;
+  const auto shifts = found && average ? shiftsUnder(average->wide(), found->second, fitted) : std::nullopt;
   if (average) {
     result.undetectable = shifts ? average->worstBias(shifts->own, shifts->columns) : worstOffset(fitted, *average);
   }
@@ -404,8 +408,8 @@ void fillTask(const FittedModel& fitted, const ModelAverage* average, std::optio
   for (Eigen::Index axis = 0; axis < slopes.rows(); ++axis) {
     if (shifts) {
       const Averaged averaged = average->along(slopes.row(axis), shifts->own.row(axis), shifts->columns.row(axis));
-      variance += averaged.sigma * averaged.sigma;
-      squares += reach(averaged) * reach(averaged);
+      variance += std::pow(averaged.sigma, 2) + std::pow(averaged.value - shifts->given[axis], 2);
+      squares += std::pow(reach(shifts->given[axis], averaged.bound), 2);
     } else {
       const double one = slopes.row(axis) * fitted.fit.covariance * slopes.row(axis).transpose();
       variance += one;

@@ -19,8 +19,9 @@ double predictFloorErrorAt2m(const FittedModel& fitted);
 ///
 /// Under each explanation the point's shift is a linear function of the own unknowns and of the explanation's effects:
 /// a backlash that an offset imitates, or a step before the first joint that the tracker's place imitates, moves no
-/// point that stands as in the captures. `sigma` [m] combines the axes; `bound` [m] is the root of the axes' squared
-/// distances between estimate and 99.95 % bound. `tolerance`: the user's [m], if any. Without an average over models,
+/// point that stands as in the captures. `sigma` [m] is the rms distance from where the fitted values put the point,
+/// which are what a robot is given; `bound` [m] is the root of the axes' squared distances from there to the further
+/// end of the 99.95 % bound. `tolerance`: the user's [m], if any. Without an average over models,
 /// bounds follow from the covariance. Nothing is filled where no point is measured.
 ///
 /// `undetectable`: the largest shift of the point by one effect that would not show (`ModelWindow::undetected`), else

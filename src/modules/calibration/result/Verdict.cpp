@@ -133,13 +133,13 @@ void checkFloorError(CalibrationResult& result) {
 }
 
 /// The sentence about a bound beyond the tolerance, if it is. `isGiven`: of a tolerance that the user gave.
-std::vector<std::string> describeBound(bool isGiven, const CalibrationResult& result) {
+std::vector<std::string> describeBound(bool isGiven, bool missing, const CalibrationResult& result) {
   if (!result.task || result.task->isGiven != isGiven || result.task->bound <= result.task->tolerance) {
     return {};
   }
-  return {fmt::format(
-      "{}: the bound of the error, {:.2g} mm (99.95 %), is beyond the tolerance of {:.2g} mm: take more poses",
-      result.task->what, 1e3 * result.task->bound, 1e3 * result.task->tolerance)};
+  return {fmt::format("{}: the bound of the error, {:.2g} mm (99.95 %), is beyond the tolerance of {:.2g} mm: {}",
+                      result.task->what, 1e3 * result.task->bound, 1e3 * result.task->tolerance,
+                      missing ? "add the effect that is missing" : "take more poses")};
 }
 
 /// Warns of doubtful measurements of one kind: "corner", "reading".
@@ -224,8 +224,8 @@ void judgeResult(const Measurements& measurements, const Model& model, Calibrati
   const HeldOffsets held = findHeldOffsets({measurements, model, result});
   forbid(About::offset, listUndetermined({measurements, model, result}, held), result);
   checkFloorError(result);
-  forbid(About::floor, describeBound(true, result), result);
   const bool missing = (result.pValue <= threshold::alarm && result.matters) || !result.sharedCauses.empty();
+  forbid(About::floor, describeBound(true, missing, result), result);
   const DisplacedBoardCount displaced{measurements, result.outliers};
   result.verdict =
       result.usable ? judgeExplained(model, result, held, missing || displaced.areMany()) : ResultVerdict::doNotUse;
@@ -241,7 +241,7 @@ void judgeResult(const Measurements& measurements, const Model& model, Calibrati
     result.sentence += " " + formatNegligible(*result.negligible, errorUnitOf(measurements, result.noise));
   }
   warnOfHeldOffsets(model, held, result);
-  for (const std::string& sentence : describeBound(false, result)) { // decides only where a cause is missing
+  for (const std::string& sentence : describeBound(false, missing, result)) { // decides only where a cause is missing
     warn(About::floor, sentence, result);
   }
   warnOfOutliers(result);
