@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/core.h>
+#include <utility>
+#include <vector>
 
 namespace naocal {
 
@@ -29,16 +31,26 @@ std::string nameUnknown(const Term& term, const Unknown& unknown) {
                                                      : fmt::format("{} {}", term.label(), unknown.name);
 }
 
-/// Explanations that would move an estimate far.
+/// Explanations that would move an estimate far: those whose bound is widest beside the interval.
 void printShoulders(const Model& model, const CalibrationResult& result) {
+  constexpr std::size_t few = 3;
+  std::vector<std::pair<double, std::string>> far;
   for (const Term& term : model.terms()) {
     for (std::size_t i = 0; i < term.effect.unknowns.size() && !term.isPlacement && term.requested; ++i) {
       const Unknown& unknown = term.effect.unknowns[i];
       const auto& averaged = result.estimates[term.first + i].averaged;
       if (averaged && averaged->shoulder) {
-        printText("\nfar: {}\n", formatShoulder(nameUnknown(term, unknown), unknown.unit, *averaged));
+        far.emplace_back((averaged->bound[1] - averaged->bound[0]) / (averaged->interval[1] - averaged->interval[0]),
+                         formatShoulder(nameUnknown(term, unknown), unknown.unit, *averaged));
       }
     }
+  }
+  std::stable_sort(far.begin(), far.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  for (std::size_t i = 0; i < std::min(few, far.size()); ++i) {
+    printText("\nfar: {}\n", far[i].second);
+  }
+  if (far.size() > few) {
+    printText("\nfar: {} more, see 'bound' and 'shoulder' in the result\n", far.size() - few);
   }
 }
 
