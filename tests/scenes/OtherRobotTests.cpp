@@ -216,7 +216,8 @@ TEST_CASE("a small link error is part of the uncertainty of the offsets that it 
                                                              .seed = seed});
     const Measurements measurements = buildMeasurements({simulation.set}, loadRobot(simulation.set));
     const Model model = buildModel(measurements);
-    const Estimate& offset = calibrate(measurements, model).estimates[model.find("jointOffset@elbow")->first];
+    const CalibrationResult result = calibrate(measurements, model);
+    const Estimate& offset = result.estimates[model.find("jointOffset@elbow")->first];
     const double truth = simulation.truth.value("jointOffset", "elbow", "o").value();
     CHECK(offset.learned > 0.9);
     CHECK(std::abs(offset.best() - truth) < 3 * offset.bestSigma());

@@ -95,7 +95,7 @@ def simulate(*, poses=24, samples=3, seed=1, robot="V6", support="left", repeat_
 
 
 def solve(captures, *, effects=(), without=(), model=None, restarts=0, seed=1, robust=True, estimate_noise=True,
-          pixel_noise=None, encoder_noise=None, pose_noise=None, stance_noise=None, progress=None):
+          pixel_noise=None, encoder_noise=None, pose_noise=None, stance_noise=None, tolerance=None, progress=None):
     """Estimates joint offsets and camera rotations, with error bars and a verdict: 'naocal solve'.
 
     effects, without           effects to add and to leave out, such as ['elasticity@LKneePitch']; * matches any place
@@ -104,6 +104,7 @@ def solve(captures, *, effects=(), without=(), model=None, restarts=0, seed=1, r
     robust                     weigh down and list doubtful corners
     estimate_noise             False: take the noise levels as given
     pixel_noise [px], encoder_noise, pose_noise, stance_noise [rad]   standard deviations
+    tolerance [m]              largest error at the task with which the result is usable
     progress                   called as progress(steps, None) while it computes; what it raises ends the calibration
 
     Returns Result. Raises InputError; KeyboardInterrupt on Ctrl-C.
@@ -111,7 +112,7 @@ def solve(captures, *, effects=(), without=(), model=None, restarts=0, seed=1, r
     return _naocal.solve(captures, effects=_listed(effects), without=_listed(without), model=model, restarts=restarts,
                          seed=seed, robust=robust, estimate_noise=estimate_noise, pixel_noise=pixel_noise,
                          encoder_noise=encoder_noise, pose_noise=pose_noise, stance_noise=stance_noise,
-                         progress=progress)
+                         tolerance=tolerance, progress=progress)
 
 
 def compare(result, captures, *, same_place=False, against=None):

@@ -98,7 +98,7 @@ Solved::Offset readOffset(const json& unknown) {
 
 std::optional<Solved> readSolved(const json& file, const char* key) {
   const json result = file.value(key, json{});
-  if (!result.is_object() || !result.contains("effects")) {
+  if (!result.is_object() || !result.contains("effects") || !result.contains("pValue")) { // without: not fitted
     return std::nullopt;
   }
   Solved solved;
