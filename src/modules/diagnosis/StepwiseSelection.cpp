@@ -101,6 +101,15 @@ void keepStriking(const CandidateTests& candidateTests, std::vector<std::size_t>
   }
 }
 
+/// Whether one of the explanations names the effect. One with as many effects as the search lists at most names not all
+/// that is missing: then any may be.
+bool isExplanation(const std::vector<Explanation>& explanations, const std::string& label) {
+  return std::any_of(explanations.begin(), explanations.end(), [&](const Explanation& one) {
+    const bool isWhole = one.effects.size() < mostMembers;
+    return !isWhole || std::find(one.effects.begin(), one.effects.end(), label) != one.effects.end();
+  });
+}
+
 } // namespace
 
 StepwiseSelection::StepwiseSelection(const Measurements& measurements, const Model& model,
@@ -266,6 +275,11 @@ double StepwiseSelection::leastEvidence(const CandidateTests& candidateTests) co
 std::vector<std::size_t> StepwiseSelection::shortlistCandidates(const CandidateTests& candidateTests) const {
   constexpr std::size_t most = 4;
   std::vector<std::size_t> likely = rankLikely(candidateTests, leastEvidence(candidateTests));
+  if (const auto& explanations = first_.result.explanations; !explanations.empty()) {
+    std::erase_if(likely, [&](std::size_t candidate) {
+      return !isExplanation(explanations, candidateTests.candidates()[candidate].label());
+    });
+  }
   if (isFirst()) {
     keepStriking(candidateTests, likely);
   }

@@ -21,7 +21,6 @@ namespace naocal {
 
 namespace {
 
-constexpr std::size_t mostMembers = 4;
 constexpr double leastWeight = 1e-5; // relative to the likeliest model: a shoulder at 0.0005 is known to 2 %
 
 using Members = std::vector<WindowMember>;

@@ -9,6 +9,8 @@
 
 namespace naocal {
 
+inline constexpr std::size_t mostMembers = 4; // of an explanation: every choice of their widths is a model
+
 /// A group of columns of the score problem (index `group`) in a model: all columns of an effect, or the first `count`
 /// of a smooth curve.
 struct WindowMember {
@@ -79,7 +81,7 @@ struct ExplanationCosts {
 };
 ExplanationCosts costExplanations(const ScoreProblem& problem, const Noise& noise);
 
-/// Searches the window at one noise level. `expected`: as above. Models have at most four members; the window contains
+/// Searches the window at one noise level. `expected`: as above. Models have at most `mostMembers`; the window contains
 /// at least the likeliest. Throws InputError if its cost or the estimates are not finite.
 ModelWindow searchModelWindow(const ScoreProblem& problem, const Noise& noise, std::size_t expected = 0);
 
