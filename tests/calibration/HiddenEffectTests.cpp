@@ -18,6 +18,7 @@ namespace {
 Estimate estimateOf(const Measurements& measurements, const std::string& label) {
   const Model model = buildModel(measurements, {label});
   const CalibrationResult result = calibrate(measurements, model);
+  CAPTURE(result.sentence, result.task ? result.task->sigma : 0, result.task ? result.task->bound : 0);
   CHECK(result.converged);
   CHECK(result.usable);
   const auto term = std::find_if(model.terms().begin(), model.terms().end(), [&](const Term& other) {

@@ -403,13 +403,20 @@ void fillTask(const FittedModel& fitted, const ModelAverage* average, std::optio
             .isGiven = tolerance.has_value()};
   const Eigen::MatrixXd slopes =
       byUnknowns(*shiftOf(found->second, linearised(fitted)), found->second, linearised(fitted));
+  Eigen::VectorXd given = shifts ? shifts->given : Eigen::VectorXd{};
+  for (const Term& term : fitted.model.terms()) { // an added effect that the likeliest explanation replaces
+    if (shifts && !average->wide().extended().find(term.label())) {
+      const auto first = eigenIndex(term.first), count = eigenIndex(term.effect.unknowns.size());
+      given += slopes.middleCols(first, count) * fitted.fit.unknowns.segment(first, count);
+    }
+  }
   const double multiple = studentQuantile(0.99975, fitted.fit.misfit > 1 ? fitted.fit.misfitFreedom : 1e6);
   double variance = 0, squares = 0;
   for (Eigen::Index axis = 0; axis < slopes.rows(); ++axis) {
     if (shifts) {
       const Averaged averaged = average->along(slopes.row(axis), shifts->own.row(axis), shifts->columns.row(axis));
-      variance += std::pow(averaged.sigma, 2) + std::pow(averaged.value - shifts->given[axis], 2);
-      squares += std::pow(reach(shifts->given[axis], averaged.bound), 2);
+      variance += std::pow(averaged.sigma, 2) + std::pow(averaged.value - given[axis], 2);
+      squares += std::pow(reach(given[axis], averaged.bound), 2);
     } else {
       const double one = slopes.row(axis) * fitted.fit.covariance * slopes.row(axis).transpose();
       variance += one;
