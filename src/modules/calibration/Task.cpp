@@ -318,20 +318,22 @@ std::optional<std::pair<const char*, TaskPoint>> findTaskPoint(const FittedModel
 /// Largest bound at which a result is usable [m].
 double toleranceOf(const TaskPoint& point, const FittedModel& fitted) {
   constexpr double onFloor = 0.05, noiseFloors = 10;
+  constexpr double atTool = 0.005; // at most: noise that is estimated where a cause is missing holds its misfit, too
   const ImageObservation& picture = fitted.measurements.pictures[point.picture];
   switch (point.kind) {
   case TaskPoint::Kind::floor:
     return onFloor;
   case TaskPoint::Kind::reading: { // a corner has two axes, a point three
     const Witness::Part& part = *findMetres(fitted.measurements, picture.witnesses[point.index]);
-    return noiseFloors * fitted.fit.noiseFloorPx * std::sqrt(1.5) / fitted.fit.noise.pixel *
-           sigmaOf(fitted.measurements, fitted.fit.noise, part.level);
+    return std::min(atTool, noiseFloors * fitted.fit.noiseFloorPx * std::sqrt(1.5) / fitted.fit.noise.pixel *
+                                sigmaOf(fitted.measurements, fitted.fit.noise, part.level));
   }
   case TaskPoint::Kind::inCamera: {
     const PosedView posed{fitted.measurements.robot, picture.observations[point.index].view,
                           predictState(fitted.measurements, fitted.model, picture, fitted.fit.unknowns)};
-    return noiseFloors * fitted.fit.noiseFloorPx *
-           posed.view.cameraFrames(posed.posed()).opticalFromBoard.translation.norm() / posed.modelState.lens()[0];
+    return std::min(atTool, noiseFloors * fitted.fit.noiseFloorPx *
+                                posed.view.cameraFrames(posed.posed()).opticalFromBoard.translation.norm() /
+                                posed.modelState.lens()[0]);
   }
   }
   return 0;

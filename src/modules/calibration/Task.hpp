@@ -15,7 +15,8 @@ double predictFloorErrorAt2m(const FittedModel& fitted);
 /// Fills `task` and `undetectable`: what the uncertainty means where the captures' result is used,
 /// * with boards on the floor where a ball at 2 m is seen, as above, in the median capture. Tolerance: 50 mm;
 /// * else where the tool is: a marker or frame in the tracker's frame, a marker at the place that it touches, or the
-///   middle of a board in the camera's frame, in the capture that is predicted worst. Tolerance: 10 noise floors.
+///   middle of a board in the camera's frame, in the capture that is predicted worst. Tolerance: 10 noise floors,
+///   at most 5 mm.
 ///
 /// Under each explanation the point's shift is a linear function of the own unknowns and of the explanation's effects:
 /// a backlash that an offset imitates, or a step before the first joint that the tracker's place imitates, moves no

@@ -162,7 +162,7 @@ void addSolve(CLI::App& app, int& exitCode) {
   solver
       ->add_option("--tolerance", command->options.tolerance,
                    "largest bound (99.95 %) of the error at the task at which the result is usable [m]; default: of a "
-                   "ball 2 m ahead 0.05 where a cause is missing, of a robot's tool 10 noise floors")
+                   "ball 2 m ahead 0.05 where a cause is missing, of a robot's tool 10 noise floors, at most 0.005")
       ->type_name("METRES")
       ->check(number(1e-6, 10.0));
   solver->add_flag("--same-place", command->samePlace,
