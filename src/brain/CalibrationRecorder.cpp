@@ -4,13 +4,13 @@
 #include "calibration/Prediction.hpp"
 #include "data/CaptureSetFile.hpp"
 #include "detect/BoardDetector.hpp"
+#include "diagnosis/CheckedCalibration.hpp"
 #include "diagnosis/DiagnosisFile.hpp"
 #include "estimation/ModelBuilder.hpp"
 #include "io/Files.hpp"
 #include "io/Folders.hpp"
 #include "io/GreyImage.hpp"
 #include "io/InputError.hpp"
-#include "setups/CheckedCalibration.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

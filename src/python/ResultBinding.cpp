@@ -6,10 +6,10 @@
 #include "python/Views.hpp"
 
 #include "calibration/result/Verdict.hpp"
+#include "diagnosis/CheckedCalibration.hpp"
 #include "estimation/ModelBuilder.hpp"
 #include "estimation/ModelFile.hpp"
 #include "io/FileKind.hpp"
-#include "setups/CheckedCalibration.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -131,20 +131,8 @@ template <class Get> auto viewSighting(const Get& get) {
 }
 
 py::object describeShoulder(const EstimateHandle& self) {
-  if (!self.estimate.averaged || !self.estimate.averaged->shoulder) {
-    return py::none();
-  }
-  const Shoulder& shoulder = *self.estimate.averaged->shoulder;
-  return py::dict("effects"_a = shoulder.effects, "weight"_a = shoulder.weight, "value"_a = shoulder.value);
-}
-
-py::object describeTask(const Solved& self) {
-  if (!self.fit.task) {
-    return py::none();
-  }
-  const Task& task = *self.fit.task;
-  return py::dict("what"_a = task.what, "unit"_a = "m", "sigma"_a = task.sigma, "bound"_a = task.bound,
-                  "tolerance"_a = task.tolerance);
+  const auto& averaged = self.estimate.averaged;
+  return averaged ? toDictionary(averagedJson(*averaged).at("shoulder")) : py::none();
 }
 
 void bindEstimate(py::module_& module) {
@@ -171,7 +159,7 @@ void bindEstimate(py::module_& module) {
           },
           "99.95 % bound of `best`: [low, high]; None where it is no average.")
       .def_property_readonly("shoulder", describeShoulder,
-                             "What alone makes `bound` much wider: {'effects', 'weight', 'value'}, or None.")
+                             "What alone makes `bound` much wider: {'effects', 'without', 'weight', 'value'}, or None.")
       .def_property_readonly(
           "learned", [](const EstimateHandle& self) { return self.estimate.learned; },
           "1 - posterior sigma / prior sigma: 0 where the captures tell nothing.")
@@ -264,6 +252,8 @@ void bindFit(py::class_<Solved, SharedSolved>& result) {
       .def_property_readonly(
           "sentence", [](const Solved& self) { return self.fit.sentence; }, "The verdict in words.")
       .def_property_readonly(
+          "suspicious", [](const Solved& self) { return self.fit.suspicious; }, "List of Suspicion.")
+      .def_property_readonly(
           "set_ups", [](const Solved& self) { return labelsOf(self.fit.setUps); },
           "Labels of mistakes of the set-up that explain the misfit, such as 'reversedJoint@elbow'.")
       .def_property_readonly("warnings", [](const Solved& self) { return toSentences(self.fit.warnings); })
@@ -282,10 +272,11 @@ void bindFit(py::class_<Solved, SharedSolved>& result) {
       .def_property_readonly(
           "misfit", [](const Solved& self) { return self.fit.misfit; }, "chi2 / freedom between poses, at least 1.")
       .def_property_readonly(
-          "floor_error_at_2m", [](const Solved& self) { return self.fit.floorErrorAt2m; },
-          "1-sigma error of a floor point 2 m ahead [m]; 0 without floor boards.")
-      .def_property_readonly("task", describeTask,
-                             "Error at the task: {'what', 'unit', 'sigma', 'bound', 'tolerance'}, or None.")
+          "task", [](const Solved& self) { return toDictionary(taskJson(self.fit)); },
+          "Error at the task: {'what', 'unit', 'sigma', 'bound', 'tolerance'}, or None.")
+      .def_property_readonly(
+          "undetectable", [](const Solved& self) { return toDictionary(undetectableJson(self.fit)); },
+          "The effect that can do most unnoticed: {'effect', 'bias', 'pose'}, or None.")
       .def_property_readonly("iterations", [](const Solved& self) { return self.fit.iterations; })
       .def_property_readonly("seconds", [](const Solved& self) { return self.fit.seconds; });
 }

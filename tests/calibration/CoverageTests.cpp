@@ -109,8 +109,8 @@ void add(const Simulation& simulation, const Robot& robot, const Kind& kind, Tal
   tally.unusable += !result.usable;
   const Eigen::VectorXd truth = trueUnknowns(simulation, model, result.unknowns);
   const Residuals residuals{measurements, model, trueNoise(kind)};
-  const LinearMinimum best =
-      solveLinearized(*residuals.linearize(residuals.startState(truth)), truth, model.sigmas(), trueNoise(kind));
+  const LevelSpread best{
+      *residuals.linearize(residuals.startState(truth)), truth, model.sigmas(), {trueNoise(kind), {}}, 1};
   for (const Term& term : model.terms()) {
     for (std::size_t i = 0; i < term.effect.unknowns.size() && !term.isPlacement; ++i) {
       const std::size_t unknown = term.first + i;
@@ -121,7 +121,7 @@ void add(const Simulation& simulation, const Robot& robot, const Kind& kind, Tal
       in += low <= truth[index] && truth[index] <= high;
       ++all;
       if (term.effect.name == "jointOffset") {
-        tally.squaredRatios += error * error / best.covariance(index, index);
+        tally.squaredRatios += error * error / best.along(Eigen::VectorXd::Unit(truth.size(), index), false).mean;
         ++tally.ratios;
       }
     }

@@ -55,7 +55,13 @@ TEST_CASE("an unlikely explanation is said with the value that it has, or the ra
         "LKneePitch may be -1.15° (3 %) if elasticity@LKneePitch is missing; 99.95 % bound -1.72° to 1.15°");
   averaged.shoulder = Shoulder{{"a@b", "c@d"}, {"e@f"}, 0.0004, 0.011};
   CHECK(formatShoulder("slide", "m", averaged) ==
-        "slide may lie from -30.0 mm to 20.0 mm (99.95 %) if a@b and c@d are missing and not e@f (0.04 %)");
+        "slide may lie from -30.0 mm to 20.0 mm (99.95 %) if a@b and c@d are missing and e@f is not there (0.04 %)");
+  averaged.shoulder = Shoulder{{"LKneePitch over q"}, {}, 0.0004, 0.011};
+  CHECK(formatShoulder("slide", "m", averaged) ==
+        "slide may lie from -30.0 mm to 20.0 mm (99.95 %) if a curve of LKneePitch over q is missing (0.04 %)");
+  averaged.shoulder = Shoulder{{}, {"e@f"}, 0.0004, 0.011};
+  CHECK(formatShoulder("slide", "m", averaged) ==
+        "slide may lie from -30.0 mm to 20.0 mm (99.95 %) if e@f is not there (0.04 %)");
 }
 
 } // namespace naocal

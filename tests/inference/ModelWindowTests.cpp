@@ -11,6 +11,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <vector>
 
 namespace naocal {
@@ -102,12 +103,14 @@ StudentMixture mixtureOf(const ModelWindow& window, Eigen::Index unknown) {
   return {window.along(Eigen::VectorXd::Unit(window.mean.size(), unknown), Eigen::VectorXd::Zero(5)), 1e6};
 }
 
-/// Posterior mean and covariance of the own unknowns under one model, without any shortcut.
+/// Posterior mean and covariance of the own unknowns under one model, and the sizes of its effects, without any
+/// shortcut.
 struct BruteForce {
-  Eigen::VectorXd mean;
+  Eigen::VectorXd mean, sizes;
   Eigen::MatrixXd covariance;
 };
-BruteForce solve(LinearProblem& problem, const WindowModel& model, double misfit) {
+BruteForce solve(LinearProblem& problem, const WindowModel& model, double misfit,
+                 const std::optional<Eigen::VectorXd>& residual = {}) {
   const Eigen::Index own = problem.problem().ownCount();
   std::vector<Eigen::Index> columns(static_cast<std::size_t>(own));
   std::iota(columns.begin(), columns.end(), Eigen::Index{0});
@@ -122,8 +125,8 @@ BruteForce solve(LinearProblem& problem, const WindowModel& model, double misfit
   precision.diagonal() += priors.cwiseAbs2().cwiseInverse();
   const Eigen::LLT<Eigen::MatrixXd> factor{precision};
   const Eigen::MatrixXd covariance = factor.solve(Eigen::MatrixXd::Identity(precision.rows(), precision.cols()));
-  const Eigen::VectorXd mean = -factor.solve(jacobian.transpose() * problem.residual()) / misfit;
-  return {mean.head(own), covariance.topLeftCorner(own, own)};
+  const Eigen::VectorXd mean = -factor.solve(jacobian.transpose() * residual.value_or(problem.residual())) / misfit;
+  return {mean.head(own), mean.tail(mean.size() - own), covariance.topLeftCorner(own, own)};
 }
 
 } // namespace
@@ -223,6 +226,29 @@ TEST_CASE("no model takes an unknown further than four sigma of its prior") {
   CHECK(window.variance.maxCoeff() > 0.9);
 }
 
+TEST_CASE("where an unknown is left to its prior, effects take up what it would have compensated") {
+  // Proves the sizes of a model against a fit of its effect alone, with the unknown at its prior's value: otherwise an
+  // effect would keep a size that only makes sense beside an unknown nine sigma off.
+  LinearProblem problem{1, 2, 17};
+  for (PoseRows& pose : problem.poses()) {
+    pose.byUnknowns.col(1) = pose.byUnknowns.col(0) + 0.2 * pose.byUnknowns.col(1);
+  }
+  Eigen::VectorXd truth(3);
+  truth << 40, -31, 0;
+  problem.measure(truth);
+  const ModelWindow window = searchModelWindow(problem.problem(), pixelNoise);
+  int held = 0;
+  for (const WindowModel& model : window.models) {
+    if (model.members.size() == 1 && model.members.front().group == 0 && model.unknowns[0] == 0) {
+      const Eigen::VectorXd column = problem.jacobian().col(1);
+      const double precision = column.squaredNorm() / window.misfit + std::pow(model.widths.front(), -2);
+      CHECK(model.sizes[0] == Approx(-column.dot(problem.residual()) / window.misfit / precision));
+      ++held;
+    }
+  }
+  CHECK(held > 0);
+}
+
 TEST_CASE("intervals of 95 % hold the truth in as many of drawn problems, bounds of 99.95 % in nearly all", "[slow]") {
   // Proves calibration of the whole answer where the model of the world is right: own unknowns from their priors, in
   // three of four problems one effect, of a plausible width, with aliases; 2000 problems of three unknowns. A bound of
@@ -292,6 +318,30 @@ TEST_CASE("what may bias an answer unnoticed is an effect that hides behind an u
   const Eigen::VectorXd expected = answer / std::sqrt(information / lambda + 1.0 / 9);
   CHECK(window.undetected[0].biases.col(0).cwiseAbs().isApprox(expected.cwiseAbs(), 1e-6));
   CHECK(window.undetected[0].biases.norm() > 3 * window.undetected[1].biases.norm());
+}
+
+TEST_CASE("what an unnoticed effect shifts includes the effects that the model has already") {
+  // Proves shifts of unknowns and of the likeliest model's own effect against solving that model again, with the
+  // unnoticed effect in the measurements.
+  LinearProblem problem{2, 3, 5};
+  for (PoseRows& pose : problem.poses()) {
+    pose.byUnknowns.col(3) = pose.byUnknowns.col(2) + 0.3 * pose.byUnknowns.col(3);
+  }
+  Eigen::VectorXd truth = Eigen::VectorXd::Zero(5);
+  truth[2] = 3;
+  problem.measure(truth);
+  const ModelWindow window = searchModelWindow(problem.problem(), pixelNoise);
+  const WindowModel& likeliest = window.models.front();
+  REQUIRE(likeliest.members.size() == 1);
+  REQUIRE(likeliest.members.front().group == 0);
+  REQUIRE(window.undetected.front().group == 1);
+  const UndetectedEffect& unnoticed = window.undetected.front();
+  const Eigen::VectorXd measured = problem.residual() - problem.jacobian().col(3) * unnoticed.sizes(0, 0);
+  const BruteForce without = solve(problem, likeliest, window.misfit),
+                   with = solve(problem, likeliest, window.misfit, measured);
+  CHECK(Eigen::VectorXd{with.mean - without.mean}.isApprox(unnoticed.biases.col(0), 1e-6));
+  CHECK(with.sizes[0] - without.sizes[0] == Approx(unnoticed.taken(0, 0)));
+  CHECK(std::abs(unnoticed.taken(0, 0)) > 0.5 * std::abs(unnoticed.sizes(0, 0)));
 }
 
 } // namespace naocal

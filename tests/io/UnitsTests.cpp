@@ -35,6 +35,11 @@ TEST_CASE("an angle over what it multiplies has the unit of their quotient") {
 }
 
 TEST_CASE("a value is shown to two significant digits of its standard error") {
+  CHECK(formatSize(0.13415, "m") == "134 mm");
+  CHECK(formatSize(0.0003, "m") == "0.3 mm");
+  CHECK(formatSize(0.00001, "m") == "0.01 mm");
+  CHECK(formatSize(0, "m") == "0 mm");
+  CHECK(formatSize(0.0174533, "rad") == "1°");
   CHECK(formatEstimate(0.4755, 0.0086) == "0.4755 ± 0.0086");
   CHECK(formatEstimate(8.97, 31) == "9 ± 31");
   CHECK(formatEstimate(-1.27e-5, 4.8e-6) == "-0.0000127 ± 0.0000048");

@@ -1,6 +1,6 @@
 #include "SetUpTwins.hpp"
+#include "diagnosis/CheckedCalibration.hpp"
 #include "estimation/ModelBuilder.hpp"
-#include "setups/CheckedCalibration.hpp"
 #include "setups/Mending.hpp"
 
 #include <algorithm>

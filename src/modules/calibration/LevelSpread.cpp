@@ -33,18 +33,7 @@ LinearSystem systemAt(const Residuals::Linear& linear, const Eigen::VectorXd& un
   return result;
 }
 
-Eigen::MatrixXd inverse(const Eigen::LLT<Eigen::MatrixXd>& factor) {
-  return factor.solve(Eigen::MatrixXd::Identity(factor.rows(), factor.cols()));
-}
-
 } // namespace
-
-LinearMinimum solveLinearized(const Residuals::Linear& linear, const Eigen::VectorXd& unknowns,
-                              const Eigen::VectorXd& sigmas, const Noise& noise) {
-  const LinearSystem system = systemAt(linear, unknowns, sigmas, noise);
-  const Eigen::LLT<Eigen::MatrixXd> factor{system.hessian};
-  return {-factor.solve(system.gradient), inverse(factor)};
-}
 
 double UncertainVariance::freedom() const {
   return std::min(4 + 2 / std::max(relativeSpread, 1e-9), 1e6);
@@ -55,7 +44,7 @@ LevelSpread::LevelSpread(const Residuals::Linear& linear, const Eigen::VectorXd&
   const auto minimumAt = [&](const Noise& noise) {
     const LinearSystem system = systemAt(linear, unknowns, sigmas, noise);
     const Eigen::LLT<Eigen::MatrixXd> tempered{temperPrecision(system.hessian, sigmas, misfit)};
-    return LinearMinimum{-system.hessian.llt().solve(system.gradient), inverse(tempered)};
+    return Minimum{-system.hessian.llt().solve(system.gradient), inverse(tempered)};
   };
   likeliest_ = minimumAt(levels.noise).covariance;
   for (const NoiseLevels::Level& level : levels.levels) {

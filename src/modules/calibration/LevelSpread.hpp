@@ -8,14 +8,6 @@
 
 namespace naocal {
 
-/// Minimum under another noise level, extrapolated from a linearisation nearby, and its covariance.
-struct LinearMinimum {
-  Eigen::VectorXd step; // from the unknowns of the linearisation
-  Eigen::MatrixXd covariance;
-};
-LinearMinimum solveLinearized(const Residuals::Linear& linear, const Eigen::VectorXd& unknowns,
-                              const Eigen::VectorXd& sigmas, const Noise& noise);
-
 /// Variance of an estimate whose noise levels are uncertain: few poses hardly tell how joints scatter.
 struct UncertainVariance {
   double mean = 0;           // over the possible noise levels
@@ -39,9 +31,14 @@ public:
   UncertainVariance along(const Eigen::VectorXd& direction, bool moves) const;
 
 private:
+  /// Minimum at one level, extrapolated from the linearisation.
+  struct Minimum {
+    Eigen::VectorXd step; // from the unknowns of the linearisation
+    Eigen::MatrixXd covariance;
+  };
   struct Level {
     double weight;
-    LinearMinimum minimum;
+    Minimum minimum;
   };
   std::vector<Level> levels_;
   Eigen::MatrixXd likeliest_; // covariance

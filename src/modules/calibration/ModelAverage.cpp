@@ -86,35 +86,39 @@ std::vector<Eigen::Index> ModelAverage::unknowns() const {
 }
 
 std::optional<Undetectable> ModelAverage::worstBias(const Eigen::MatrixXd& own, const Eigen::MatrixXd& columns) const {
+  const WindowModel& likeliest = window_.models.front();
   std::optional<Undetectable> result;
   for (const UndetectedEffect& effect : window_.undetected) {
     const ColumnGroup& group = wide().problem().groups[effect.group];
-    const Eigen::MatrixXd shift = own * effect.biases - columns.middleCols(group.first, group.count) * effect.sizes;
+    const Eigen::MatrixXd shift = own * effect.biases + columns(Eigen::all, likeliest.columns) * effect.taken -
+                                  columns.middleCols(group.first, group.count) * effect.sizes;
     const double size = std::sqrt(std::max(0.0, symmetricEigenvalues(shift * shift.transpose()).maxCoeff()));
     if (!result || size > result->bias) {
-      result = Undetectable{explained_.names[effect.group], "task", size};
+      result = Undetectable{explained_.names[effect.group], "task", size, "m"};
     }
   }
   return result;
 }
 
-std::optional<std::pair<std::string, double>> ModelAverage::worstBiasOf(Eigen::Index unknown) const {
+std::optional<Eigen::Index> ModelAverage::ownIndex(Eigen::Index unknown) const {
   const auto found =
       std::find_if(shared_.begin(), shared_.end(), [&](const auto& indices) { return indices.first == unknown; });
-  if (found == shared_.end()) {
+  return found == shared_.end() ? std::nullopt : std::optional{found->second};
+}
+
+std::optional<std::pair<std::string, double>> ModelAverage::worstBiasOf(Eigen::Index unknown) const {
+  const auto own = ownIndex(unknown);
+  if (!own) {
     return std::nullopt;
   }
-  const auto own = found->second;
   const auto columns = Eigen::MatrixXd::Zero(1, wide().problem().plausible.size());
-  const auto worst = worstBias(Eigen::RowVectorXd::Unit(window_.mean.size(), own), columns);
+  const auto worst = worstBias(Eigen::RowVectorXd::Unit(window_.mean.size(), *own), columns);
   return worst ? std::optional{std::pair{worst->effect, worst->bias}} : std::nullopt;
 }
 
 Averaged ModelAverage::of(Eigen::Index unknown) const {
-  const auto found =
-      std::find_if(shared_.begin(), shared_.end(), [&](const auto& indices) { return indices.first == unknown; });
   return along(Eigen::VectorXd::Unit(levels_.size(), unknown),
-               Eigen::VectorXd::Unit(window_.mean.size(), found->second),
+               Eigen::VectorXd::Unit(window_.mean.size(), ownIndex(unknown).value()),
                Eigen::VectorXd::Zero(wide().problem().plausible.size()));
 }
 

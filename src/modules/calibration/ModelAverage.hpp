@@ -42,6 +42,8 @@ public:
   const std::vector<Explanation>& explanations() const { return explanations_; }
 
 private:
+  /// Index of one of the model's unknowns among the own unknowns.
+  std::optional<Eigen::Index> ownIndex(Eigen::Index unknown) const;
   StudentMixture mixtureOf(const std::vector<StudentMixture::Part>& parts, const UncertainVariance& variance) const;
   std::optional<Shoulder> findShoulder(const std::vector<StudentMixture::Part>& parts,
                                        const UncertainVariance& variance) const;

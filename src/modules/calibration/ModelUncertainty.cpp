@@ -111,7 +111,7 @@ std::vector<bool> markVarying(const std::vector<Term>& terms) {
 }
 
 /// Name of a group of columns: "elasticity@LKneePitch", or for a curve "LKneePitch over q".
-std::string formatGroup(const WideModel& wide, std::size_t group) {
+std::string formatGroup(const WideModel& wide, const Robot& robot, std::size_t group) {
   if (group < wide.candidates().size()) {
     return wide.candidates()[group].label();
   }
@@ -120,18 +120,19 @@ std::string formatGroup(const WideModel& wide, std::size_t group) {
     return wide.mounts()[curve].term.placeName;
   }
   const DriverBasis& cell = wide.map().cells[curve - wide.mounts().size()];
-  return wide.jointName(cell.motor) + " over " + expressionName(wide.map().drivers[cell.driver], cell.motor);
+  return robot.joints[cell.motor].name + " over " + expressionName(wide.map().drivers[cell.driver], cell.motor);
 }
 
 /// The likeliest effect or curve, if it is beyond chance and does not matter.
-std::optional<NegligibleEffect> describeNegligible(const WideModel& wide, const Evidence& evidence) {
+std::optional<NegligibleEffect> describeNegligible(const WideModel& wide, const Robot& robot,
+                                                   const Evidence& evidence) {
   if (evidence.pValue > threshold::alarm || evidence.matters || !evidence.likeliest) {
     return std::nullopt;
   }
   const std::size_t group = *evidence.likeliest;
   const GroupEvidence& found = evidence.groups[group];
   const bool isNamed = group < wide.candidates().size();
-  return NegligibleEffect{formatGroup(wide, group),
+  return NegligibleEffect{formatGroup(wide, robot, group),
                           isNamed ? formatSizes(wide.candidates()[group].effect, found.estimate, found.covariance)
                                   : std::string{},
                           found.movedPx};
@@ -154,8 +155,7 @@ public:
       return {noise, {}};
     }
     const WideModel wide{measurements_, own, putInFront(effects, candidates_), pointOf(fit), false};
-    return estimateNoiseLevels(wide.problem(), noise, *repeats_, markVarying(wide.candidates()),
-                               [&](const Noise& level) { return costExplanations(wide.problem(), level); });
+    return estimateNoiseLevels(wide.problem(), noise, *repeats_, markVarying(wide.candidates()));
   }
   /// Fit accurate enough to linearise at. Keeps a quadratic loss.
   Fit refineNearly(const Model& model, const Noise& noise, Fit from) const {
@@ -204,7 +204,7 @@ public:
       explained.window = searchModelWindow(wide.problem(), explained.levels.noise, added_.size());
       explained.names.clear();
       for (std::size_t group = 0; group < wide.problem().groups.size(); ++group) {
-        explained.names.push_back(formatGroup(wide, group));
+        explained.names.push_back(formatGroup(wide, measurements_.robot, group));
       }
       if (step == most || !extend(wide, explained.own, explained)) {
         return;
@@ -321,7 +321,7 @@ void testCompleteness(const Measurements& measurements, const Model& model, cons
   const Evidence evidence = computeEvidence(wide.problem(), explained.levels.noise, options.draws, options.drawSeed);
   explained.pValue = evidence.pValue;
   explained.matters = evidence.matters;
-  explained.negligible = describeNegligible(wide, evidence);
+  explained.negligible = describeNegligible(wide, measurements.robot, evidence);
 }
 
 } // namespace naocal

@@ -1,6 +1,7 @@
 #include "calibration/ReadingErrors.hpp"
 
 #include "math/Angles.hpp"
+#include "math/Statistics.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -54,9 +55,7 @@ ReadingSummary summarizeLengths(std::vector<double> lengths) {
     result.max = std::max(result.max, length);
   }
   result.rms = std::sqrt(result.rms);
-  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
-  std::nth_element(lengths.begin(), middle, lengths.end());
-  result.median = *middle;
+  result.median = medianOf(std::move(lengths));
   return result;
 }
 

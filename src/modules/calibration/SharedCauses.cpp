@@ -3,6 +3,7 @@
 #include "calibration/Fit.hpp"
 #include "inference/Thresholds.hpp"
 #include "math/LinearAlgebra.hpp"
+#include "math/Statistics.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -115,12 +116,6 @@ Eigen::VectorXd rank(const Eigen::VectorXd& values) {
   return length > 0 ? Eigen::VectorXd{ranks / length} : ranks;
 }
 
-double medianOf(Eigen::VectorXd values) {
-  const auto middle = values.data() + values.size() / 2;
-  std::nth_element(values.data(), middle, values.data() + values.size());
-  return *middle;
-}
-
 /// Ranks of every driver: one column each. Of a joint's three, the second is the distance of its angle from the median.
 Eigen::MatrixXd rankDrivers(const std::vector<JudgedPose>& poses) {
   const std::size_t count = poses.front().drivers.size();
@@ -131,7 +126,7 @@ Eigen::MatrixXd rankDrivers(const std::vector<JudgedPose>& poses) {
       values[eigenIndex(pose)] = poses[pose].drivers[driver];
     }
     if (driver + 1 < count && driver % 3 == 1) {
-      values = (values.array() - medianOf(values)).abs().eval();
+      values = (values.array() - medianOf({values.begin(), values.end()})).abs().eval();
     }
     result.col(eigenIndex(driver)) = rank(values);
   }

@@ -3,6 +3,7 @@
 #include "effects/Catalogue.hpp"
 #include "estimation/DriverState.hpp"
 #include "estimation/EffectJacobian.hpp"
+#include "io/InputError.hpp"
 #include "math/LinearAlgebra.hpp"
 #include "math/Statistics.hpp"
 
@@ -100,13 +101,21 @@ Eigen::MatrixXd motionByQuantity(const PosedView& posed, const CameraFrames& att
   return result;
 }
 
-/// Shift of a point across its ray [m] that moves it in the picture as a unit of each number of the lens does.
-Eigen::Matrix<double, 3, 9> shiftByLens(const PosedView& posed, const CameraFrames& attitude) {
-  const CornerBlocks corners(1, CornerBlock{.present = {1, 1, 1, 1}});
+/// A point of the board as a corner to project.
+CornerBlocks cornerAt(const Eigen::Vector3d& point) {
+  return {CornerBlock{
+      .x = Double4{} + point.x(), .y = Double4{} + point.y(), .z = Double4{} + point.z(), .present = {1, 1, 1, 1}}};
+}
+
+/// Shift of a point across its ray [m] that moves it in the picture as a unit of each number of the lens does. `point`:
+/// in the board.
+Eigen::Matrix<double, 3, 9> shiftByLens(const PosedView& posed, const CameraFrames& attitude,
+                                        const Eigen::Vector3d& point) {
+  const CornerBlocks corners = cornerAt(point);
   ProjectedBlocks projected;
   Eigen::Matrix<double, 3, 9> result = Eigen::Matrix<double, 3, 9>::Zero();
   if (posed.view.project(attitude, posed.modelState, corners, projected)) {
-    const double depth = attitude.opticalFromBoard.translation.z();
+    const double depth = (attitude.opticalFromBoard * point).z();
     const auto lens = posed.modelState.lens();
     for (std::size_t i = 0; i < lensCount; ++i) {
       const CornerShift shift =
@@ -121,11 +130,10 @@ Eigen::Matrix<double, 3, 9> shiftByLens(const PosedView& posed, const CameraFram
 bool isInPicture(const ImageObservation& picture, const PosedView& posed, const CameraFrames& attitude,
                  const Measurements& measurements) {
   const auto& camera = measurements.setOf(picture).cameras.at(measurements.captureOf(picture).camera);
-  const CornerBlocks corners(1, CornerBlock{.present = {1, 1, 1, 1}});
   ProjectedBlocks projected;
   return attitude.opticalFromBoard.translation.z() > 0.1 &&
-         posed.view.project(attitude, posed.modelState, corners, projected) && projected.front().u[0] >= 0 &&
-         projected.front().u[0] <= camera.width && projected.front().v[0] >= 0 &&
+         posed.view.project(attitude, posed.modelState, cornerAt(Eigen::Vector3d::Zero()), projected) &&
+         projected.front().u[0] >= 0 && projected.front().u[0] <= camera.width && projected.front().v[0] >= 0 &&
          projected.front().v[0] <= camera.height;
 }
 
@@ -146,7 +154,7 @@ std::optional<ByQuantity> shiftOnFloor(const TaskPoint& point, const LinearisedM
   const auto first = eigenIndex(layout.lens());
   scene.middleCols(first, eigenIndex(layout.linkStep(0)) - first).setZero();
   if (isInPicture(picture, posed, attitude, at.measurements)) {
-    scene.middleCols<9>(first) = shiftByLens(posed, attitude);
+    scene.middleCols<9>(first) = shiftByLens(posed, attitude, Eigen::Vector3d::Zero());
   }
   const Eigen::MatrixXd shift = place * (normal.transpose() * scene) / place.dot(normal) - scene;
   return (attitude.opticalFromWorld.rotation.transpose() * shift).topRows<2>();
@@ -167,13 +175,14 @@ std::optional<ByQuantity> shiftInCamera(const TaskPoint& point, const Linearised
   const ObservationChain& view = picture.observations[point.index].view;
   const PosedView posed{at.measurements.robot, view, predictState(at.measurements, at.model, picture, at.unknowns)};
   const CameraFrames attitude = view.cameraFrames(posed.posed());
-  const Eigen::Vector3d middle = attitude.opticalFromBoard * middleOf(at.measurements.targets[view.board()].board);
+  const Eigen::Vector3d inBoard = middleOf(at.measurements.targets[view.board()].board),
+                        middle = attitude.opticalFromBoard * inBoard;
   if (middle.z() < 0.1) { // [m]
     return std::nullopt;
   }
   const StateLayout& layout = at.measurements.quantities;
   ByQuantity result = shiftByMotion(middle) * motionByQuantity(posed, attitude, layout);
-  result.middleCols<9>(eigenIndex(layout.lens())) = shiftByLens(posed, attitude);
+  result.middleCols<9>(eigenIndex(layout.lens())) = shiftByLens(posed, attitude, inBoard);
   return result;
 }
 
@@ -376,7 +385,7 @@ std::optional<Undetectable> worstOffset(const FittedModel& fitted, const ModelAv
       const auto found = average.worstBiasOf(eigenIndex(term.first));
       if (found && found->second / term.effect.unknowns.front().sigma > most) {
         most = found->second / term.effect.unknowns.front().sigma;
-        result = Undetectable{found->first, term.placeName, found->second};
+        result = Undetectable{found->first, term.placeName, found->second, term.effect.unknowns.front().unit};
       }
     }
   }
@@ -384,11 +393,6 @@ std::optional<Undetectable> worstOffset(const FittedModel& fitted, const ModelAv
 }
 
 } // namespace
-
-double predictFloorErrorAt2m(const FittedModel& fitted) {
-  const auto point = selectPoint(listFloorPoints(fitted.measurements), fitted, 0.5);
-  return point ? std::sqrt(point->first) : 0;
-}
 
 void fillTask(const FittedModel& fitted, const ModelAverage* average, std::optional<double> tolerance,
               CalibrationResult& result) {
@@ -398,6 +402,11 @@ void fillTask(const FittedModel& fitted, const ModelAverage* average, std::optio
     result.undetectable = shifts ? average->worstBias(shifts->own, shifts->columns) : worstOffset(fitted, *average);
   }
   if (!found || (average && !shifts)) {
+    if (tolerance) {
+      throw InputError{
+          "a tolerance was given, but these captures measure no point to hold against it: expected a board, "
+          "a marker or a place that is touched"};
+    }
     return;
   }
   Task task{.what = found->first,

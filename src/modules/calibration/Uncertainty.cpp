@@ -19,10 +19,6 @@ namespace naocal {
 
 namespace {
 
-Eigen::MatrixXd inverse(const Eigen::MatrixXd& information) {
-  return information.ldlt().solve(Eigen::MatrixXd::Identity(information.rows(), information.cols()));
-}
-
 Estimate estimate(double value, const UncertainVariance& variance, double priorSigma) {
   const double freedom = variance.freedom(), sigma = std::sqrt(variance.mean);
   return {.value = value,
@@ -187,7 +183,7 @@ CalibrationResult estimateUncertainty(const Measurements& measurements, const Mo
   result.loss = fit.loss;
   const Eigen::VectorXd sigmas = model.sigmas();
   const Residuals::Linear& linear = fit.minimum.linear;
-  result.covariance = inverse(linear.hessian);
+  result.covariance = inverse(Eigen::LLT<Eigen::MatrixXd>{linear.hessian});
   double numbers = 0;
   for (std::size_t pose = 0; pose < linear.poses.size(); ++pose) {
     result.chi2 += 2 * linear.eliminated[pose].cost;
@@ -201,7 +197,7 @@ CalibrationResult estimateUncertainty(const Measurements& measurements, const Mo
   result.misfit = std::max({1.0, misfit.chi2 / misfit.freedom, result.chi2 / std::max(1.0, result.dof)});
   result.misfitFreedom = misfit.freedom;
   result.sigmaScale = std::sqrt(result.misfit);
-  result.covariance = inverse(temperPrecision(linear.hessian, sigmas, result.misfit));
+  result.covariance = inverse(Eigen::LLT<Eigen::MatrixXd>{temperPrecision(linear.hessian, sigmas, result.misfit)});
   measureDistances(residuals, fit, result);
   result.noiseFloorPx = noiseFloorPx(rows, fit.noise);
   const LevelSpread spread{linear, result.unknowns, sigmas, levels, result.misfit};

@@ -160,7 +160,7 @@ public:
       testModel();
       findModelAnomalies();
       assessMisfit();
-    } while (addNextEffect() || selection_.removeLastAdditions(result_));
+    } while (addNextEffect());
     describeCurves();
     rankCandidates();
     suggestOwnEffect();

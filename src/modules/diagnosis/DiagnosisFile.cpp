@@ -1,5 +1,6 @@
 #include "diagnosis/DiagnosisFile.hpp"
 
+#include "calibration/result/ResultFile.hpp"
 #include "diagnosis/Diagnosis.hpp"
 #include "diagnosis/DiagnosisWording.hpp"
 #include "diagnosis/FiguresFile.hpp"
@@ -102,37 +103,6 @@ Json stepJson(const SelectionStep& step) {
 
 Json scoreJson(const DriverScore& cell) {
   return {{"at", cell.place}, {"driver", cell.driver}, {"evidence", cell.bayes}, {"pValue", cell.pValue}};
-}
-
-Json anomalyJson(const DataAnomaly& anomaly) {
-  Json entry{{"why", anomaly.why}};
-  if (anomaly.capture) {
-    entry["capture"] = *anomaly.capture;
-  }
-  if (!anomaly.setUp.empty()) {
-    entry["setUp"] = anomaly.setUp;
-  }
-  if (!anomaly.moved.empty()) {
-    entry["moved"] = anomaly.moved;
-  }
-  if (anomaly.from) {
-    entry["from"] = *anomaly.from;
-  }
-  if (anomaly.odds) {
-    entry["odds"] = *anomaly.odds;
-  }
-  for (const EventValue& value : anomaly.values) {
-    entry["values"].push_back({{"unknown", value.unknown},
-                               {"value", value.value},
-                               {"sigma", value.sigma > 0 ? Json(value.sigma) : Json(nullptr)},
-                               {"interval", value.sigma > 0 ? Json({value.low, value.high}) : Json(nullptr)},
-                               {"unit", value.unit}});
-  }
-  if (anomaly.when) {
-    entry["time"] = anomaly.when->time;
-    entry["between"] = {anomaly.when->since, anomaly.when->until};
-  }
-  return entry;
 }
 
 Json setUpJson(const DataAnomaly& anomaly) {

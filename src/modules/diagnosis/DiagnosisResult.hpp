@@ -58,21 +58,6 @@ struct CandidateFinding {
   std::optional<EffectSignature> imprint;            // for the first few candidates only, in the model as given
 };
 
-/// A suspicious capture, board or setting.
-struct DataAnomaly {
-  std::optional<int> capture; // id of the capture, if one is concerned
-  std::string why;
-  std::size_t set = 0;                 // set of the capture
-  std::optional<double> odds = {};     // odds (x to 1) against the best effect or curve, where compared
-  std::optional<Moment> when = {};     // moment of an event between two captures
-  std::string setUp = {};              // a wrong set-up, which can be mended: "reversedJoint@LElbowRoll"
-  std::string question = {};           // about the set-up, to ask a person
-  std::string moved = {};              // id of the board, tracker, camera or stance that moved; with `capture`, of the
-                                       // board that was displaced in it
-  std::optional<int> from = {};        // id of the first capture after that
-  std::vector<EventValue> values = {}; // estimates, where the size of an event was estimated
-};
-
 /// One step of the selection: the model with one more effect.
 struct SelectionStep {
   std::string added;                // label; empty for the model as given

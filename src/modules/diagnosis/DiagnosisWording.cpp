@@ -69,12 +69,15 @@ std::string formatTrivial(const Diagnosis& diagnosis) {
 std::string formatAdequate(const Diagnosis& diagnosis) {
   const ErrorUnit& unit = diagnosis.unit;
   const std::string trivial = formatTrivial(diagnosis);
-  return fmt::format("The model explains these captures: the error is {:.2f} {unit}, the noise floor {:.2f} {unit}.{}",
-                     unit.perPx * diagnosis.rmsPx, unit.perPx * diagnosis.lackOfFit.noiseFloorPx,
-                     !trivial.empty() ? trivial
-                                      : fmt::format(" Pure noise produces a best candidate this strong in {} of cases.",
-                                                    percent(diagnosis.alarm)),
-                     fmt::arg("unit", unit.name));
+  const std::vector<std::string>& against = diagnosis.fit.reasons;
+  return fmt::format(
+      "The model explains these captures: the error is {:.2f} {unit}, the noise floor {:.2f} {unit}.{}{}",
+      unit.perPx * diagnosis.rmsPx, unit.perPx * diagnosis.lackOfFit.noiseFloorPx,
+      !trivial.empty()
+          ? trivial
+          : fmt::format(" Pure noise produces a best candidate this strong in {} of cases.", percent(diagnosis.alarm)),
+      against.empty() ? "" : fmt::format(" Do not use this calibration all the same: {}.", against.front()),
+      fmt::arg("unit", unit.name));
 }
 
 /// Place and amplitude: "LKneePitch", "±0.30°".
@@ -126,17 +129,6 @@ std::string formatUnknown(const Diagnosis& diagnosis) {
   return fmt::format("{} It sits at {} and varies with {} ({}), by about {}{}.{}", formatNamed(diagnosis, named), where,
                      curve.driver, curve.what, howFar, curve.expression.empty() ? "" : "; like " + curve.expression,
                      own.empty() ? "" : " " + own);
-}
-
-/// What is wrong with the set-up; else the first accident, and how many more.
-std::string formatAnomalies(const std::vector<DataAnomaly>& anomalies) {
-  std::string setUps;
-  for (const DataAnomaly& anomaly : anomalies) {
-    setUps += anomaly.setUp.empty() ? "" : (setUps.empty() ? "" : "; and ") + anomaly.why;
-  }
-  return !setUps.empty()        ? setUps
-         : anomalies.size() > 1 ? fmt::format("{}; and {} more", anomalies.front().why, anomalies.size() - 1)
-                                : anomalies.front().why;
 }
 
 } // namespace
@@ -249,12 +241,25 @@ std::string formatDetectable(const CandidateFinding& finding) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
+std::string formatAnomalies(const std::vector<DataAnomaly>& anomalies) {
+  std::vector<std::string> setUps;
+  for (const DataAnomaly& anomaly : anomalies) {
+    if (!anomaly.setUp.empty()) {
+      setUps.push_back(anomaly.why);
+    }
+  }
+  return fmt::format("Something is wrong with the captures or the set-up: {}.",
+                     !setUps.empty() ? fmt::format("{}", fmt::join(setUps, "; and "))
+                     : anomalies.size() > 1
+                         ? fmt::format("{}; and {} more", anomalies.front().why, anomalies.size() - 1)
+                         : anomalies.front().why);
+}
+
 std::string summarize(const Diagnosis& diagnosis) {
   switch (diagnosis.verdict) {
   case Verdict::badCaptures:
-    return fmt::format(
-        "Something is wrong with the captures or the set-up: {}.{}", formatAnomalies(diagnosis.anomalies),
-        diagnosis.suggested.empty() ? "" : fmt::format(" Also missing: {}.", fmt::join(diagnosis.suggested, ", ")));
+    return formatAnomalies(diagnosis.anomalies) +
+           (diagnosis.suggested.empty() ? "" : fmt::format(" Also missing: {}.", fmt::join(diagnosis.suggested, ", ")));
   case Verdict::unknownEffect:
     return formatUnknown(diagnosis);
   case Verdict::effectMissing:

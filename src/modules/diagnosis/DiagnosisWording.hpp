@@ -21,6 +21,8 @@ CandidateState shownState(const CandidateFinding& finding, const Diagnosis& diag
 /// Labels of the mistakes of the set-up that it found.
 std::vector<std::string> mendableSetUps(const Diagnosis& diagnosis);
 
+/// The sentence of captures with a wrong set-up; else of the first accident, and how many more.
+std::string formatAnomalies(const std::vector<DataAnomaly>& anomalies);
 /// The diagnosis as one or two sentences.
 std::string summarize(const Diagnosis& diagnosis);
 /// The sentence of a diagnosis without any fit, and the command that mends a suspected set-up.

@@ -8,15 +8,14 @@
 #include "estimation/CandidateTerms.hpp"
 #include "estimation/Model.hpp"
 #include "estimation/ModelBuilder.hpp"
+#include "inference/ModelWindow.hpp"
 #include "inference/Prequential.hpp"
 #include "inference/Thresholds.hpp"
 #include "io/InputError.hpp"
 #include "math/LinearAlgebra.hpp"
-#include "math/Parallel.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <utility>
 
@@ -49,65 +48,6 @@ bool isNeeded(const Term& term, const CalibrationResult& fit, double leastZ = 2)
   const Eigen::VectorXd values = fit.unknowns.segment(first, count);
   const double chi2 = values.dot(fit.covariance.block(first, first, count, count).ldlt().solve(values));
   return chi2 > leastZ * leastZ * static_cast<double>(count);
-}
-
-/// Each candidate alone, then all pairs.
-std::vector<std::vector<std::size_t>> listAloneAndInPairs(const std::vector<std::size_t>& candidates) {
-  std::vector<std::vector<std::size_t>> result;
-  for (const std::size_t candidate : candidates) {
-    result.push_back({candidate});
-  }
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      result.push_back({candidates[i], candidates[j]});
-    }
-  }
-  return result;
-}
-
-/// Whether a pair with the candidate lowers the held-out error. `asked`: the combinations that `held` evaluates.
-bool lowersErrorInPair(std::size_t candidate, const std::vector<std::vector<std::size_t>>& asked,
-                       const CrossValidation& held) {
-  for (std::size_t i = 0; i < asked.size(); ++i) {
-    const bool isAmong = std::find(asked[i].begin(), asked[i].end(), candidate) != asked[i].end();
-    if (asked[i].size() == 2 && isAmong && held.afterPx[i] < held.beforePx) {
-      return true;
-    }
-  }
-  return false;
-}
-
-/// Candidates with more evidence than `least`, likeliest first. Significant but negligible ones rank behind those that
-/// matter.
-std::vector<std::size_t> rankLikely(const CandidateTests& candidateTests, double least) {
-  std::vector<std::size_t> result = candidateTests.candidatesByEvidence();
-  std::erase_if(result,
-                [&](std::size_t candidate) { return candidateTests.candidateEvidence(candidate).bayes <= least; });
-  std::stable_partition(result.begin(), result.end(), [&](std::size_t candidate) {
-    return !candidateTests.evidence().matters || candidateTests.candidateEvidence(candidate).matters();
-  });
-  return result;
-}
-
-/// Where candidates are striking, they raise the alarm, and those that are not do not explain it.
-void keepStriking(const CandidateTests& candidateTests, std::vector<std::size_t>& likely) {
-  const double critical = candidateTests.evidence().criticalP;
-  const auto isStriking = [&](std::size_t candidate) {
-    return candidateTests.candidateEvidence(candidate).pValue <= critical;
-  };
-  const std::vector<std::size_t> all = candidateTests.candidatesByEvidence();
-  if (std::any_of(all.begin(), all.end(), isStriking)) {
-    std::erase_if(likely, std::not_fn(isStriking));
-  }
-}
-
-/// Whether one of the explanations names the effect. One with as many effects as the search lists at most names not all
-/// that is missing: then any may be.
-bool isExplanation(const std::vector<Explanation>& explanations, const std::string& label) {
-  return std::any_of(explanations.begin(), explanations.end(), [&](const Explanation& one) {
-    const bool isWhole = one.effects.size() < mostMembers;
-    return !isWhole || std::find(one.effects.begin(), one.effects.end(), label) != one.effects.end();
-  });
 }
 
 } // namespace
@@ -158,28 +98,68 @@ void StepwiseSelection::recordStep(const CandidateTests& candidateTests, Diagnos
   recordEvidence(candidateTests, diagnosis.steps.size());
   std::vector<std::size_t> first = candidateTests.candidatesByRank();
   first.resize(std::min(first.size(), few));
-  const std::vector<std::vector<std::size_t>> asked = listAloneAndInPairs(first);
+  proposals_ = listProposals(candidateTests);
+  std::vector<std::vector<std::size_t>> asked = proposals_;
+  for (const std::size_t candidate : first) {
+    asked.push_back({candidate});
+  }
   const std::optional<CrossValidation> held = crossValidate(candidateTests, model_, diagnosis.suggested, asked);
-  misleading_ = takenBack_;
-  byTwo_.clear();
+  const std::size_t alone = proposals_.size(); // index of the first candidate alone
   for (std::size_t i = 0; i < first.size(); ++i) {
     CandidateFinding& finding = findingOf(candidateTests.candidates()[first[i]]);
-    if (held && held->afterPx[i] >= held->beforePx) { // one of two missing effects may not help alone
-      const bool helps = lowersErrorInPair(first[i], asked, *held);
-      (helps ? byTwo_ : misleading_).push_back(finding.term.label());
-    }
     if (finding.step == diagnosis.steps.size()) {
       if (held) {
         finding.heldOutBefore = held->beforePx;
-        finding.heldOutAfter = held->afterPx[i];
+        finding.heldOutAfter = held->afterPx[alone + i];
       }
       finding.addedVariable = computeAddedVariable(candidateTests, model_, first[i]);
     }
   }
-  if (held && before_ && held->chosenPx < before_->heldOutPx) {
-    before_.reset();
+  if (held) {
+    for (std::size_t i = alone; i-- > 0;) {
+      if (held->afterPx[i] >= held->beforePx) {
+        proposals_.erase(proposals_.begin() + static_cast<std::ptrdiff_t>(i));
+      }
+    }
   }
   appendStep(candidateTests, held, diagnosis);
+}
+
+std::vector<std::vector<std::size_t>> StepwiseSelection::listProposals(const CandidateTests& candidateTests) const {
+  constexpr std::size_t most = 4;
+  std::vector<std::vector<std::size_t>> all;
+  if (isFirst()) {
+    all = listExplanations(candidateTests);
+  }
+  if (all.empty()) {
+    all = listLikelyEffects(candidateTests.problem(), candidateTests.noise());
+  }
+  std::vector<std::vector<std::size_t>> result;
+  for (std::vector<std::size_t>& effects : all) {
+    std::erase_if(effects, [&](std::size_t candidate) { return !predictsFurtherPoses(candidateTests, candidate); });
+    const bool isListed = std::find(result.begin(), result.end(), effects) != result.end();
+    if (!effects.empty() && !isListed && result.size() < most) {
+      result.push_back(std::move(effects));
+    }
+  }
+  return result;
+}
+
+std::vector<std::vector<std::size_t>> StepwiseSelection::listExplanations(const CandidateTests& candidateTests) const {
+  std::vector<std::vector<std::size_t>> result;
+  for (const Explanation& explanation : first_.result.explanations) {
+    std::vector<std::size_t> effects;
+    for (const std::string& label : explanation.effects) {
+      if (const auto candidate = candidateTests.findCandidate(label)) { // else a curve
+        effects.push_back(*candidate);
+      }
+    }
+    if (!effects.empty()) {
+      std::sort(effects.begin(), effects.end());
+      result.push_back(std::move(effects));
+    }
+  }
+  return result;
 }
 
 void StepwiseSelection::recordEvidence(const CandidateTests& candidateTests, std::size_t step) {
@@ -245,10 +225,6 @@ Model StepwiseSelection::addSizedTerm(const CandidateTests& candidateTests, std:
 }
 
 bool StepwiseSelection::predictsFurtherPoses(const CandidateTests& candidateTests, std::size_t candidate) const {
-  if (std::find(misleading_.begin(), misleading_.end(), candidateTests.candidates()[candidate].label()) !=
-      misleading_.end()) {
-    return false;
-  }
   if (!isTransient(candidateTests.candidates()[candidate].effect)) {
     return true;
   }
@@ -268,68 +244,20 @@ StepwiseSelection::Nearly StepwiseSelection::fitModelNearly(const Model& model, 
   return {minimum.linear.cost, minimum.state.unknowns};
 }
 
-double StepwiseSelection::leastEvidence(const CandidateTests& candidateTests) const {
-  return isFirst() ? 0 : 2 * std::log(std::max<double>(1, static_cast<double>(candidateTests.candidates().size())));
-}
-
-std::vector<std::size_t> StepwiseSelection::shortlistCandidates(const CandidateTests& candidateTests) const {
-  constexpr std::size_t most = 4;
-  std::vector<std::size_t> likely = rankLikely(candidateTests, leastEvidence(candidateTests));
-  if (const auto& explanations = first_.result.explanations; !explanations.empty()) {
-    std::erase_if(likely, [&](std::size_t candidate) {
-      return !isExplanation(explanations, candidateTests.candidates()[candidate].label());
-    });
-  }
-  if (isFirst()) {
-    keepStriking(candidateTests, likely);
-  }
-  const auto lasting = std::find_if(likely.begin(), likely.end(), [&](std::size_t candidate) {
-    return !isTransient(candidateTests.candidates()[candidate].effect);
-  });
-  const double least =
-      lasting == likely.end() ? 0 : candidateTests.candidateEvidence(*lasting).bayes - threshold::maxEvidenceGap;
-  std::vector<std::size_t> result;
-  for (const std::size_t candidate : likely) {
-    const GroupEvidence& here = candidateTests.candidateEvidence(candidate);
-    const GroupEvidence& first = candidateTests.candidateEvidence(result.empty() ? candidate : result.front());
-    if (result.size() == most || here.bayes < first.bayes - threshold::veryStrong || here.bayes < least ||
-        (candidateTests.evidence().matters && here.matters() != first.matters())) {
-      break;
-    }
-    if (predictsFurtherPoses(candidateTests, candidate)) {
-      result.push_back(candidate);
-    }
-  }
-  return result;
-}
-
 std::optional<StepwiseSelection::Choice> StepwiseSelection::chooseNext(const CandidateTests& candidateTests) {
-  const std::vector<std::size_t> order = shortlistCandidates(candidateTests);
-  if (order.empty()) {
-    return std::nullopt;
-  }
-  std::vector<Nearly> fits(order.size() + 1); // last entry: the model without any candidate
-  parallelFor(fits.size(), [&](std::size_t i) {
-    const Model model = i < order.size() ? addSizedTerm(candidateTests, order[i]) : model_;
-    fits[i] = fitModelNearly(model, mapParameters(model_, fit_.unknowns, model));
-  });
-  std::optional<Choice> best;
-  double bestBayes = 0;
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const GroupEvidence& evidence = candidateTests.candidateEvidence(order[i]);
-    const double drop = 2 * (fits.back().cost - fits[i].cost);
-    CandidateFinding& finding = findingOf(candidateTests.candidates()[order[i]]);
-    if (finding.evidence.bayes == evidence.bayes) { // the recorded evidence is of this step
-      finding.chi2Drop = drop;
-    }
-    const double bayes =
-        evidence.bayes * drop / evidence.likelihoodRatio; // scaled by the achieved share of the predicted decrease
-    if (bayes > bestBayes) {
-      bestBayes = bayes;
-      best = Choice{order[i], fits[i].unknowns};
+  const double before = fitModelNearly(model_, fit_.unknowns).cost;
+  for (const std::vector<std::size_t>& effects : proposals_) {
+    const std::size_t strongest = *std::max_element(effects.begin(), effects.end(), [&](std::size_t a, std::size_t b) {
+      return candidateTests.candidateEvidence(a).bayes < candidateTests.candidateEvidence(b).bayes;
+    });
+    const Model larger = addSizedTerm(candidateTests, strongest);
+    Nearly fit = fitModelNearly(larger, mapParameters(model_, fit_.unknowns, larger));
+    if (fit.cost < before) {
+      findingOf(candidateTests.candidates()[strongest]).chi2Drop = 2 * (before - fit.cost);
+      return Choice{strongest, std::move(fit.unknowns)};
     }
   }
-  return best;
+  return std::nullopt;
 }
 
 void StepwiseSelection::markEquivalent(const Term& chosen, const Term& other) {
@@ -393,11 +321,6 @@ bool StepwiseSelection::add(const CandidateTests& candidateTests, const Choice& 
     return false;
   }
   const Term& term = candidateTests.candidates()[choice.candidate];
-  if (!before_ && std::find(byTwo_.begin(), byTwo_.end(), term.label()) != byTwo_.end()) {
-    const std::vector<SelectionStep>& steps = diagnosis.steps;
-    before_.emplace(Before{added_, model_, fit_, findings_, diagnosis.suggested, steps.size(),
-                           steps.back().heldOutPx.value_or(0), term.label()});
-  }
   CandidateFinding& finding = findingOf(term);
   finding.state = CandidateState::present;
   finding.evidence.bayes = std::max(finding.evidence.bayes, candidateTests.candidateEvidence(choice.candidate).bayes);
@@ -415,22 +338,6 @@ bool StepwiseSelection::add(const CandidateTests& candidateTests, const Choice& 
       unmarkEquivalent(earlier.label(), diagnosis.suggested.back());
     }
   }
-  return true;
-}
-
-bool StepwiseSelection::removeLastAdditions(Diagnosis& diagnosis) {
-  if (!before_) {
-    return false;
-  }
-  added_ = std::move(before_->added);
-  model_ = std::move(before_->model);
-  fit_ = std::move(before_->fit);
-  findings_ = std::move(before_->findings);
-  dropped_.clear();
-  diagnosis.suggested = std::move(before_->suggested);
-  diagnosis.steps.resize(before_->steps - 1); // the step is recorded again
-  takenBack_.push_back(before_->label);
-  before_.reset();
   return true;
 }
 

@@ -14,11 +14,9 @@ namespace naocal {
 /// Whether an effect is transient: driven by time or temperature.
 bool isTransient(const Effect& effect);
 
-/// Forward selection with removal: extends the model effect by effect and records the findings on each candidate.
-///
-/// Searches for one model of named effects to report. Criterion for the next effect: its Bayes factor, scaled by the
-/// decrease of chi2 after refitting, among effects that lower the held-out error. In contrast, `analyseMissingEffects`
-/// searches for a window of likely models to average the calibration's estimates over, without held-out error.
+/// Extends the model effect by effect by what the search for explanations finds, and records the findings on each
+/// candidate: first the effects of the calibration's explanations, then, linearised at each refit, what
+/// `listLikelyEffects` finds likelier than that nothing else is missing.
 class StepwiseSelection {
 public:
   /// Calibrates the model. Keeps references to its arguments.
@@ -40,15 +38,12 @@ public:
     std::size_t candidate = 0;
     Eigen::VectorXd start;
   };
-  /// Next effect to add: the likeliest, judged by fits of the first few candidates that lower the held-out error;
-  /// transient ones must also predict the last poses and beat every step over time. Absent if none improves the model.
+  /// Next effect to add: the most evident of the likeliest explanation that lowers the held-out error and, refitted,
+  /// the cost; transient effects must also predict the last poses and beat every step over time. Absent if none does.
   std::optional<Choice> chooseNext(const CandidateTests& candidateTests);
   /// Adds an effect, refits, and drops effects it made superfluous. False: the limit of a quarter of the poses is
   /// reached.
   bool add(const CandidateTests& candidateTests, const Choice& choice, Diagnosis& diagnosis);
-  /// Final check: removes the effects added since one that only helps in combination, unless together they lowered the
-  /// held-out error. False: nothing to remove.
-  bool removeLastAdditions(Diagnosis& diagnosis);
   /// Whether a field within pictures keeps at least half of its evidence, whichever of the likeliest effects is added.
   bool fieldPersists(const ImageField& field, const CandidateTests& candidateTests) const;
   /// Fits a model that contains this one's unknowns, starting from them.
@@ -64,8 +59,11 @@ private:
   /// Appends the step with its held-out errors.
   void appendStep(const CandidateTests& candidateTests, const std::optional<CrossValidation>& held,
                   Diagnosis& diagnosis);
-  /// The first few likely candidates that lower the held-out error, likeliest first.
-  std::vector<std::size_t> shortlistCandidates(const CandidateTests& candidateTests) const;
+  /// Effects that explain together, as indices of candidates, likeliest first: the first few explanations whose
+  /// transient effects predict.
+  std::vector<std::vector<std::size_t>> listProposals(const CandidateTests& candidateTests) const;
+  /// The named effects of the calibration's explanations.
+  std::vector<std::vector<std::size_t>> listExplanations(const CandidateTests& candidateTests) const;
   CandidateFinding& findingOf(const std::string& label);
   CandidateFinding& findingOf(const Term& term) { return findingOf(term.label()); }
   /// Marks two effects as indistinguishable in these captures.
@@ -86,11 +84,6 @@ private:
   void dropSuperfluous(std::vector<std::string>& suggested);
   /// Whether no effect was added yet.
   bool isFirst() const { return added_.size() <= options_.with.size(); }
-  /// 2 ln(Bayes factor) that a candidate must exceed. The alarm alone guards the first addition, which is one of the
-  /// candidates that raise it. A later one must outweigh the number K of candidates that it was chosen from: 2 ln K,
-  /// even odds beforehand that one of them is there. On 200 simulated robots with two effects, half of the later
-  /// additions below that were wrong.
-  double leastEvidence(const CandidateTests& candidateTests) const;
   /// Whether the candidate predicts poses that it was not fitted to.
   bool predictsFurtherPoses(const CandidateTests& candidateTests, std::size_t candidate) const;
   /// Approximate minimum (cost to 0.01) at the noise levels of this step.
@@ -99,18 +92,6 @@ private:
     Eigen::VectorXd unknowns;
   };
   Nearly fitModelNearly(const Model& model, const Eigen::VectorXd& start) const;
-
-  /// State before adding an effect that only helps in combination.
-  struct Before {
-    std::vector<std::string> added;
-    Model model;
-    CalibrationResult fit;
-    std::vector<CandidateFinding> findings;
-    std::vector<std::string> suggested;
-    std::size_t steps;
-    double heldOutPx;
-    std::string label; // label of that effect
-  };
 
   CalibrationResult calibrateFrom(const Model& model, std::optional<Eigen::VectorXd> start) const;
 
@@ -121,10 +102,7 @@ private:
   std::vector<std::string> added_;
   std::vector<std::string> dropped_; // labels dropped by the last addition
   Model model_;
-  std::vector<std::string> misleading_; // labels of candidates that raise the held-out error at this step
-  std::vector<std::string> byTwo_;      // labels of candidates that lower it only in combination
-  std::vector<std::string> takenBack_;
-  std::optional<Before> before_;
+  std::vector<std::vector<std::size_t>> proposals_; // of the last recorded step, that lower the held-out error
   CalibrationResult fit_;
   std::vector<CandidateFinding> findings_; // one per candidate
 };

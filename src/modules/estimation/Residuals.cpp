@@ -2,6 +2,7 @@
 
 #include "math/LinearAlgebra.hpp"
 #include "math/Parallel.hpp"
+#include "math/Statistics.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -377,9 +378,7 @@ ResidualSummary summarizeDistances(std::vector<double> distances) {
   if (!std::isfinite(result.rmsPx)) { // NaN has no order
     return result;
   }
-  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-  std::nth_element(distances.begin(), middle, distances.end());
-  result.medianPx = *middle;
+  result.medianPx = medianOf(distances);
   return result;
 }
 

@@ -29,18 +29,14 @@ using Members = std::vector<WindowMember>;
 /// scores are in units of `plausible`, linearised about zero coefficients.
 class Window {
 public:
-  Window(const ScoreProblem& problem, const Noise& noise, std::size_t expected)
-      : problem_{problem}, expected_{expected}, alone_{problem_, noise}, tests_{alone_}, misfit_{testPoseMisfit(
-                                                                                             problem_, noise)} {
-    const PoseResiduals measured = measuredResiduals(*problem_.poses);
-    own_ = alone_(measured, problem_.priorScore()).own;
-    score_ = problem_.plausible.cwiseProduct(tests_.projectedScores(measured, own_).col(0));
-    scoreAtFit_ = score_;
+  Window(const MeasuredTests& measured, std::size_t expected)
+      : problem_{measured.alone.problem()}, expected_{expected}, alone_{measured.alone}, tests_{measured.tests},
+        own_{measured.outcome.own} {
+    scoreAtFit_ = score_ = problem_.plausible.cwiseProduct(measured.scores);
     scaled_ = pull_ = Eigen::VectorXd::Zero(score_.size());
     if (problem_.sizes.size() > 0) {
       moveToZero();
     }
-    chi2OfNone_ = misfit_.chi2 + fromFitToZero_;
     countGroups();
   }
 
@@ -77,9 +73,9 @@ public:
     }
     return result;
   }
-  /// Misfit between poses of a model with its members: chi2 and its degrees of freedom.
-  PoseMisfit misfitOf(const WindowModel& model) {
-    PoseMisfit result{.chi2 = chi2OfNone_, .freedom = misfit_.freedom};
+  /// Misfit between poses of a model with its members: chi2 and its degrees of freedom. `atFit`: of the model alone.
+  PoseMisfit misfitOf(const WindowModel& model, const PoseMisfit& atFit) {
+    PoseMisfit result{.chi2 = atFit.chi2 + fromFitToZero_, .freedom = atFit.freedom};
     const std::vector<Eigen::Index> columns = columnsOf(model.members);
     if (!columns.empty()) {
       const auto count = eigenIndex(columns.size());
@@ -137,14 +133,15 @@ public:
             estimates.findUnnoticed(columns, informationOf(members, eigenIndex(columns.size())), widths, noticed);
         const ColumnGroup& own = problem_.groups[group];
         result.push_back({group, std::move(unnoticed.own),
-                          problem_.plausible.segment(own.first, own.count).asDiagonal() * unnoticed.coefficients});
+                          problem_.plausible.segment(own.first, own.count).asDiagonal() * unnoticed.coefficients,
+                          problem_.plausible(columnsOf(model.members)).asDiagonal() * unnoticed.taken});
       }
     }
     return result;
   }
 
   /// False where squares of the residuals overflow.
-  bool isFinite() const { return std::isfinite(misfit_.within) && score_.allFinite() && own_.allFinite(); }
+  bool isFinite() const { return score_.allFinite() && own_.allFinite(); }
   std::size_t groups() const { return problem_.groups.size(); }
   /// Admissible column counts of a group: all columns, or one choice per degree of a smooth curve.
   std::vector<WindowMember> choices(std::size_t group) const {
@@ -311,14 +308,13 @@ private:
 
   const ScoreProblem& problem_;
   std::size_t expected_;
-  NullModel alone_;
-  ScoreTest tests_;
-  PoseMisfit misfit_;
+  const NullModel& alone_;
+  const ScoreTest& tests_;
   DriverColumns none_{.blocks = std::vector<std::vector<DriverColumns::Block>>(problem_.poses->size())};
   Eigen::VectorXd own_, score_, scoreAtFit_;
   Eigen::VectorXd scaled_, pull_; // coefficients at the linearisation point, and their information times them
   Members fitted_;
-  double fromFitToZero_ = 0, chi2OfNone_ = 0, named_ = 1, curves_ = 1;
+  double fromFitToZero_ = 0, named_ = 1, curves_ = 1;
   std::map<std::size_t, Eigen::MatrixXd> known_;
   std::map<Members, std::vector<std::vector<PriorWidth>>> likelyWidths_;
 };
@@ -403,9 +399,9 @@ bool isLikelier(const WindowModel& a, const WindowModel& b) {
 /// The model and its neighbours with every choice of widths, likeliest first, without estimates. Costs count less where
 /// nothing explains the misfit, so the window is wider there; beyond `threshold::bearableMisfit` it grows no further,
 /// as nothing rests on such a result.
-std::vector<WindowModel> listModels(Window& window, const WindowModel& best) {
+std::vector<WindowModel> listModels(Window& window, const WindowModel& best, const PoseMisfit& atFit) {
   std::vector<WindowModel> result = window.modelsOfEveryWidth(best.members);
-  const PoseMisfit misfit = window.misfitOf(*std::min_element(result.begin(), result.end(), isLikelier));
+  const PoseMisfit misfit = window.misfitOf(*std::min_element(result.begin(), result.end(), isLikelier), atFit);
   const double most =
       best.cost - 2 * std::log(leastWeight) * std::clamp(misfit.chi2 / misfit.freedom, 1.0, threshold::bearableMisfit);
   for (const WindowModel& model : findNeighbours(window, best)) {
@@ -442,24 +438,60 @@ void requireFinite(bool isFinite) {
   }
 }
 
-} // namespace
-
-ExplanationCosts costExplanations(const ScoreProblem& problem, const Noise& noise) {
-  Window window{problem, noise, 0};
-  return {window.costAsFitted(), window.fromFitToZero() + findLikeliest(window).cost};
-}
-
-ModelWindow searchModelWindow(const ScoreProblem& problem, const Noise& noise, std::size_t expected) {
-  Window window{problem, noise, expected};
+/// The window's models with their weights, without estimates.
+ModelWindow searchModels(Window& window, const ScoreProblem& problem, const Noise& noise) {
   const WindowModel likeliest = findLikeliest(window);
-  requireFinite(window.isFinite() && std::isfinite(likeliest.cost));
-  Members named = likeliest.members;
-  std::erase_if(named, [&](const WindowMember& member) { return member.group >= problem.named; });
-  ModelWindow result{.models = listModels(window, likeliest), .unnamedGain = window.model(named).cost - likeliest.cost};
-  const PoseMisfit misfit = window.misfitOf(result.models.front());
+  const PoseMisfit atFit = testPoseMisfit(problem, noise);
+  requireFinite(window.isFinite() && std::isfinite(atFit.within) && std::isfinite(likeliest.cost));
+  Members effects = likeliest.members;
+  std::erase_if(effects, [&](const WindowMember& member) { return member.group >= problem.named; });
+  ModelWindow result{.models = listModels(window, likeliest, atFit),
+                     .unnamedGain = window.model(effects).cost - likeliest.cost};
+  const PoseMisfit misfit = window.misfitOf(result.models.front(), atFit);
   result.misfit = std::max(1.0, misfit.chi2 / misfit.freedom);
   result.freedom = misfit.freedom;
   weigh(result);
+  return result;
+}
+
+} // namespace
+
+ExplanationCosts costExplanations(const MeasuredTests& measured) {
+  Window window{measured, 0};
+  return {window.costAsFitted(), window.fromFitToZero() + findLikeliest(window).cost};
+}
+
+std::vector<std::vector<std::size_t>> listLikelyEffects(const ScoreProblem& problem, const Noise& noise) {
+  const EffectsOnly effects{problem};
+  const MeasuredTests measured{effects.problem(), noise};
+  Window window{measured, 0};
+  std::map<std::vector<std::size_t>, double> weights;
+  for (const WindowModel& model : searchModels(window, effects.problem(), noise).models) {
+    std::vector<std::size_t> groups;
+    std::transform(model.members.begin(), model.members.end(), std::back_inserter(groups),
+                   [](const WindowMember& member) { return member.group; });
+    std::sort(groups.begin(), groups.end());
+    weights[groups] += model.weight;
+  }
+  const double none = weights[{}];
+  std::vector<std::pair<double, std::vector<std::size_t>>> likelier;
+  for (const auto& [groups, weight] : weights) {
+    if (weight > none) {
+      likelier.emplace_back(weight, groups);
+    }
+  }
+  std::sort(likelier.rbegin(), likelier.rend());
+  std::vector<std::vector<std::size_t>> result;
+  for (auto& [weight, groups] : likelier) {
+    result.push_back(std::move(groups));
+  }
+  return result;
+}
+
+ModelWindow searchModelWindow(const ScoreProblem& problem, const Noise& noise, std::size_t expected) {
+  const MeasuredTests measured{problem, noise};
+  Window window{measured, expected};
+  ModelWindow result = searchModels(window, problem, noise);
   const OwnEstimates estimates = window.estimatesAt(result.misfit);
   result.covariance = estimates.covariance();
   result.mean = Eigen::VectorXd::Zero(problem.ownCount());
@@ -492,7 +524,7 @@ std::vector<StudentMixture::Part> ModelWindow::along(const Eigen::VectorXd& own,
       spread += model.sizeSpread.transpose() * slopes;
       value += slopes.dot(model.sizes);
     }
-    result.push_back({model.weight, value, std::sqrt(alone + spread.squaredNorm())});
+    result.push_back({model.weight, value, std::sqrt(std::max(0.0, alone + spread.squaredNorm()))});
   }
   return result;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "inference/ScoreProblem.hpp"
+#include "inference/ScoreTest.hpp"
 #include "math/StudentMixture.hpp"
 
 #include <compare>
@@ -43,6 +43,7 @@ struct UndetectedEffect {
   std::size_t group;
   Eigen::MatrixXd biases;
   Eigen::MatrixXd sizes; // the effect's sizes themselves are this v [the columns' units]
+  Eigen::MatrixXd taken; // the sizes of the likeliest model's columns change by this v [the columns' units]
 };
 
 /// Posterior of the own unknowns under model uncertainty: Bayesian model averaging over a window of models.
@@ -79,7 +80,11 @@ struct ExplanationCosts {
   double fitted = 0;    // the effects with sizes at the linearisation point, at these sizes; 0 without any
   double likeliest = 0; // the likeliest model found by the search
 };
-ExplanationCosts costExplanations(const ScoreProblem& problem, const Noise& noise);
+ExplanationCosts costExplanations(const MeasuredTests& measured);
+
+/// Explanations by named effects alone that are likelier than that nothing is missing: groups, ascending; likeliest
+/// first. Their sizes' choices count together.
+std::vector<std::vector<std::size_t>> listLikelyEffects(const ScoreProblem& problem, const Noise& noise);
 
 /// Searches the window at one noise level. `expected`: as above. Models have at most `mostMembers`; the window contains
 /// at least the likeliest. Throws InputError if its cost or the estimates are not finite.

@@ -1,5 +1,6 @@
 #include "inference/NoiseLevels.hpp"
 
+#include "inference/ModelWindow.hpp"
 #include "inference/ScoreTest.hpp"
 #include "math/Angles.hpp"
 #include "math/Parallel.hpp"
@@ -28,32 +29,6 @@ namespace {
 constexpr double usualScatter = radians(0.02);
 constexpr double unbound = 0.05; // [rad]: pose noise that leaves every joint practically unconstrained
 
-/// The problem without curves. Keeps a reference to its poses.
-class EffectsOnly {
-public:
-  explicit EffectsOnly(const ScoreProblem& wide)
-      : none_{.blocks = std::vector<std::vector<DriverColumns::Block>>(wide.poses->size())}, problem_{wide} {
-    problem_.groups.resize(problem_.named);
-    problem_.map = &none_;
-  }
-  /// Only with the marked effects: no size of another one is plausible.
-  EffectsOnly(const ScoreProblem& wide, const std::vector<bool>& marked) : EffectsOnly{wide} {
-    for (std::size_t group = 0; group < problem_.named; ++group) {
-      if (!marked[group]) {
-        problem_.plausible.segment(problem_.groups[group].first, problem_.groups[group].count).setZero();
-      }
-    }
-  }
-  EffectsOnly(const EffectsOnly&) = delete; // problem_ points into this object
-  EffectsOnly& operator=(const EffectsOnly&) = delete;
-
-  const ScoreProblem& problem() const { return problem_; }
-
-private:
-  DriverColumns none_;
-  ScoreProblem problem_;
-};
-
 /// Score and information of the candidate effects, in units of `plausible`.
 struct Candidates {
   Eigen::VectorXd score;
@@ -70,36 +45,32 @@ double computeDeviance(const Candidates& all, double kappa) {
 }
 
 /// D(level) of the widest model (`estimateNoiseLevels`).
-double wideDeviance(const ScoreProblem& problem, const Noise& noise, const SparseCosts& sparse = {}) {
+double wideDeviance(const ScoreProblem& problem, const Noise& noise, bool sparse = false) {
   constexpr std::array kappas{0.1, 0.2, 0.4, 0.7, 1.0, 1.5, 2.5};
-  const PoseResiduals measured = measuredResiduals(*problem.poses);
-  const NullModel alone{problem, noise};
-  const NullModel::Outcome outcome = alone(measured, problem.priorScore());
-  const ScoreTest tests{alone};
+  const MeasuredTests measured{problem, noise};
   const ColumnGroup last = problem.named > 0 ? problem.groups[problem.named - 1] : ColumnGroup{};
   const Eigen::Index count = last.first + last.count; // without curves, which would fit scatter
   const Eigen::VectorXd plausible = problem.plausible.head(count);
-  const Candidates all{plausible.cwiseProduct(tests.projectedScores(measured, outcome.own).col(0).head(count)),
-                       plausible.asDiagonal() * tests.information().topLeftCorner(count, count) *
+  const Candidates all{plausible.cwiseProduct(measured.scores.head(count)),
+                       plausible.asDiagonal() * measured.tests.information().topLeftCorner(count, count) *
                            plausible.asDiagonal()};
   double least = 0;
   for (const double kappa : kappas) {
     least = std::min(least, computeDeviance(all, kappa));
   }
   if (sparse) {
-    const ExplanationCosts costs = sparse(noise);
+    const ExplanationCosts costs = costExplanations(measured);
     least = std::min(costs.fitted + least, costs.likeliest);
   }
-  return outcome.deviance[0] + least;
+  return measured.outcome.deviance[0] + least;
 }
 
 /// Deviance over one noise level, the other levels fixed as in `noise`.
 struct LevelCurve {
   std::vector<double> levels, deviances;
 
-  LevelCurve(const ScoreProblem& problem, const Noise& noise, double Noise::*level, bool penalised,
-             SparseCosts sparse = {})
-      : sparse_{std::move(sparse)} {
+  LevelCurve(const ScoreProblem& problem, const Noise& noise, double Noise::*level, bool penalised, bool sparse = false)
+      : sparse_{sparse} {
     add(problem, noise, level, penalised,
         {0, radians(0.01), radians(0.02), radians(0.03), radians(0.045), radians(0.065), radians(0.09), radians(0.12),
          mostScatter});
@@ -165,7 +136,7 @@ private:
     }
   }
 
-  SparseCosts sparse_;
+  bool sparse_; // whether few effects stand beside the random ones
 };
 
 } // namespace
@@ -176,7 +147,7 @@ double poseNoisePenalty(double level) {
 }
 
 NoiseLevels estimateNoiseLevels(const ScoreProblem& wide, const Noise& noise, const RepeatInfo& repeated,
-                                const std::vector<bool>& varies, const SparseCosts& sparse) {
+                                const std::vector<bool>& varies) {
   const EffectsOnly effects{wide};
   const ScoreProblem& problem = effects.problem();
   NoiseLevels result{noise, {}};
@@ -193,7 +164,7 @@ NoiseLevels estimateNoiseLevels(const ScoreProblem& wide, const Noise& noise, co
   }
   result.noise.reapproach = within.reapproach;
   result.noise.stance = within.stance;
-  const LevelCurve curve{problem, result.noise, &Noise::pose, true, repeated.none ? sparse : SparseCosts{}};
+  const LevelCurve curve{problem, result.noise, &Noise::pose, true, repeated.none};
   result.noise.pose = curve.peak();
   const std::vector<double> weights = curve.weights();
   for (std::size_t i = 0; i < weights.size(); ++i) {

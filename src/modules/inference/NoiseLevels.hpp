@@ -1,10 +1,8 @@
 #pragma once
 
 #include "estimation/Residuals.hpp"
-#include "inference/ModelWindow.hpp"
 #include "inference/ScoreProblem.hpp"
 
-#include <functional>
 #include <vector>
 
 namespace naocal {
@@ -29,7 +27,7 @@ struct NoiseLevels {
 struct RepeatInfo {
   bool reapproached = false; // the robot left a pose and returned to it
   bool restood = false;      // the same, and the robot was put down anew in between
-  bool none = false;         // no repeats at all: scatter is told from few effects only by `SparseCosts`
+  bool none = false;         // no repeats at all: scatter is told from few effects by their costs
 };
 
 /// Upper limit of joint scatter [rad], the scatter of real gears. Misfit beyond it is not attributed to noise.
@@ -43,9 +41,6 @@ double poseNoisePenalty(double level);
 
 /// Smallest pose noise above zero [rad] at which D is evaluated.
 constexpr double leastScatter = 0.003 * 3.14159265358979323846 / 180;
-
-/// Costs of few effects at noise levels.
-using SparseCosts = std::function<ExplanationCosts(const Noise&)>;
 
 /// Estimates re-approach, stance and pose noise by restricted likelihood (REML: Patterson and Thompson, Biometrika 58
 /// (1971) 545) under the widest model: all candidate effects enter as random effects gamma ~ N(0, kappa^2) in units of
@@ -63,10 +58,10 @@ using SparseCosts = std::function<ExplanationCosts(const Noise&)>;
 /// `noise` gives the pixel and encoder levels, which stay fixed. Curves of the problem are excluded, since they would
 /// fit scatter.
 /// With few poses the random effects gamma are as flexible as scatter, which then takes the place of one or two large
-/// effects. Where no pose is repeated, `sparse` stands beside them: the more likely of the two counts at each level.
-/// The random effects then come on top of the effects fitted at the linearisation point, and bear their cost.
+/// effects. Where no pose is repeated, `costExplanations` stands beside them: the more likely of the two counts at each
+/// level. The random effects then come on top of the effects fitted at the linearisation point, and bear their cost.
 NoiseLevels estimateNoiseLevels(const ScoreProblem& wide, const Noise& noise, const RepeatInfo& repeated,
-                                const std::vector<bool>& varies, const SparseCosts& sparse = {});
+                                const std::vector<bool>& varies);
 
 /// Whether the data estimate the pose noise at its boundary, zero: D(0) <= D(leastScatter), the penalty included.
 /// `noise`: the other levels.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace naocal {
 
@@ -33,28 +34,42 @@ OwnEstimates::OwnEstimates(const LinearWindow& linear, double misfit)
   answers_ = misfit > 1 ? tempered.solve(factor.matrixL() * linear.explained / misfit) : fullAnswers_;
   alone_ = reference_ - tempered.solve(scores) + answers_ * linear.sizes;
   score_ = (linear.score - fullAnswers_.transpose() * all + linear.pull) / misfit + answers_.transpose() * scores +
-           freed(fullAnswers_, answers_ * linear.sizes);
-  covariance_ = tempered.solve(Eigen::MatrixXd::Identity(sigmas_.size(), sigmas_.size()));
-  findTold(linear.plain ? *linear.plain : linear.alone);
+           (1 - 1 / misfit) * (fullAnswers_.transpose() *
+                               (sigmas_.cwiseAbs2().cwiseInverse().asDiagonal() * (answers_ * linear.sizes)));
+  covariance_ = inverse(tempered);
+  leaveUntold(linear.plain ? *linear.plain : linear.alone);
 }
 
-Eigen::MatrixXd OwnEstimates::freed(const Eigen::MatrixXd& fullAnswers, const Eigen::MatrixXd& answers) const {
-  return (1 - 1 / misfit_) * (fullAnswers.transpose() * sigmas_.cwiseAbs2().cwiseInverse().asDiagonal() * answers);
+Eigen::MatrixXd OwnEstimates::informationOf(const std::vector<Eigen::Index>& columns,
+                                            const Eigen::MatrixXd& projected) const {
+  const Eigen::MatrixXd held = held_(Eigen::all, columns);
+  return projected / misfit_ +
+         (1 - 1 / misfit_) * (fullAnswers_(Eigen::all, columns).transpose() *
+                              sigmas_.cwiseAbs2().cwiseInverse().asDiagonal() * answers_(Eigen::all, columns)) +
+         held.transpose() * held;
 }
 
-void OwnEstimates::findTold(const NullModel& plain) {
+void OwnEstimates::leaveUntold(const NullModel& plain) {
   Eigen::MatrixXd precision = sigmas_.asDiagonal() * temper(plain, misfit_) * sigmas_.asDiagonal(); // of a prior: 1
   const SymmetricEigen informed = symmetricEigen(precision);
   const Eigen::Index untold = (informed.values.array() < 1 + threshold::untold).count();
   const auto left = informed.vectors.leftCols(untold);
-  told_ = Eigen::MatrixXd::Identity(sigmas_.size(), sigmas_.size()) - left * left.transpose();
   const Eigen::VectorXd inverse = sigmas_.cwiseInverse();
-  const Eigen::MatrixXd scaled =
-      told_ * (inverse.asDiagonal() * covariance_ * inverse.asDiagonal()) * told_ + left * left.transpose();
+  const Eigen::MatrixXd known = inverse.asDiagonal() * covariance_ * inverse.asDiagonal();
+  const Eigen::LLT<Eigen::MatrixXd> alongLeft{left.transpose() * known * left};
+  const Eigen::MatrixXd towards = left.transpose() * inverse.asDiagonal();
+  held_ = alongLeft.matrixL().solve(towards * answers_);
+  score_ += held_.transpose() * alongLeft.matrixL().solve(towards * (alone_ - reference_));
+
+  const Eigen::MatrixXd told = Eigen::MatrixXd::Identity(sigmas_.size(), sigmas_.size()) - left * left.transpose(),
+                        toldInUnits = sigmas_.asDiagonal() * told * inverse.asDiagonal();
+  alone_ = reference_ + toldInUnits * (alone_ - reference_);
+  answers_ = toldInUnits * answers_;
+  const Eigen::MatrixXd scaled = told * known * told + left * left.transpose();
   covariance_ = sigmas_.asDiagonal() * scaled * sigmas_.asDiagonal();
-  const SymmetricEigen known = symmetricEigen(scaled);
-  directions_ = known.vectors;
-  shares_ = known.values;
+  const SymmetricEigen axes = symmetricEigen(scaled);
+  directions_ = axes.vectors;
+  shares_ = axes.values;
 }
 
 OwnEstimate OwnEstimates::estimate(const std::vector<Eigen::Index>& columns, const Eigen::MatrixXd& information,
@@ -62,7 +77,7 @@ OwnEstimate OwnEstimates::estimate(const std::vector<Eigen::Index>& columns, con
   OwnEstimate result{alone_, Eigen::MatrixXd::Zero(sigmas_.size(), 0), {}, {}};
   if (!columns.empty()) {
     const Eigen::MatrixXd answers = answers_(Eigen::all, columns);
-    Eigen::MatrixXd precision = information / misfit_ + freed(fullAnswers_(Eigen::all, columns), answers);
+    Eigen::MatrixXd precision = informationOf(columns, information);
     precision.diagonal() += widths.cwiseAbs2().cwiseInverse();
     const Eigen::LLT<Eigen::MatrixXd> factor{precision};
     result.coefficients = factor.solve(score_(columns));
@@ -70,9 +85,6 @@ OwnEstimate OwnEstimates::estimate(const std::vector<Eigen::Index>& columns, con
     result.coefficientSpread = factor.matrixU().solve(Eigen::MatrixXd::Identity(precision.rows(), precision.cols()));
     result.spread = -answers * result.coefficientSpread;
   }
-  const Eigen::MatrixXd told = toldInUnits();
-  result.value = reference_ + told * (result.value - reference_);
-  result.spread = told * result.spread;
   keepPlausible(result);
   return result;
 }
@@ -81,45 +93,61 @@ UnnoticedBiases OwnEstimates::findUnnoticed(const std::vector<Eigen::Index>& col
                                             const Eigen::MatrixXd& information, const Eigen::VectorXd& widths,
                                             double noticed) const {
   const Eigen::MatrixXd answers = answers_(Eigen::all, columns);
-  Eigen::MatrixXd precision = information / misfit_ + freed(fullAnswers_(Eigen::all, columns), answers);
+  Eigen::MatrixXd precision = informationOf(columns, information);
   const Eigen::Index own = widths.size(), further = precision.rows() - own;
   precision.diagonal().head(own) += widths.cwiseAbs2().cwiseInverse();
   const Eigen::MatrixXd taken = precision.topLeftCorner(own, own).llt().solve(precision.topRightCorner(own, further));
   Eigen::MatrixXd unnoticed =
       (precision.bottomRightCorner(further, further) - precision.bottomLeftCorner(further, own) * taken) / noticed;
   unnoticed.diagonal().array() += 1 / (threshold::implausible * threshold::implausible);
-  const Eigen::MatrixXd biases = toldInUnits() * (answers.rightCols(further) - answers.leftCols(own) * taken);
   const Eigen::MatrixXd coefficients =
       unnoticed.llt().matrixU().solve(Eigen::MatrixXd::Identity(unnoticed.rows(), unnoticed.cols()));
-  return {biases * coefficients, coefficients};
+  return {(answers.rightCols(further) - answers.leftCols(own) * taken) * coefficients, coefficients,
+          taken * coefficients};
 }
 
-Eigen::MatrixXd OwnEstimates::toldInUnits() const {
-  return sigmas_.asDiagonal() * told_ * sigmas_.cwiseInverse().asDiagonal();
+OwnEstimate OwnEstimates::leaveToPriors(const Eigen::MatrixXd& left, const Eigen::VectorXd& shares,
+                                        OwnEstimate estimate) const {
+  const Eigen::VectorXd inverse = sigmas_.cwiseInverse();
+  if (estimate.spread.cols() > 0) {
+    const Eigen::MatrixXd along = left.transpose() * inverse.asDiagonal() * estimate.spread,
+                          weighed = shares.cwiseInverse().asDiagonal() * along;
+    const Eigen::VectorXd away = left.transpose() * inverse.cwiseProduct(estimate.value - reference_);
+    const Eigen::LLT<Eigen::MatrixXd> precision{Eigen::MatrixXd::Identity(along.cols(), along.cols()) +
+                                                along.transpose() * weighed};
+    const Eigen::VectorXd back = precision.solve(weighed.transpose() * away);
+    const Eigen::MatrixXd half = precision.matrixU().solve(Eigen::MatrixXd::Identity(along.cols(), along.cols()));
+    estimate.value -= estimate.spread * back;
+    estimate.coefficients -= estimate.coefficientSpread * back;
+    estimate.spread *= half;
+    estimate.coefficientSpread *= half;
+  }
+  const Eigen::VectorXd change = inverse.cwiseProduct(estimate.value - reference_);
+  estimate.value -= sigmas_.cwiseProduct(left * (left.transpose() * change));
+  estimate.spread -= sigmas_.asDiagonal() * (left * (left.transpose() * (inverse.asDiagonal() * estimate.spread)));
+  return estimate;
 }
 
 void OwnEstimates::keepPlausible(OwnEstimate& estimate) const {
   const Eigen::ArrayXd start = reference_.cwiseQuotient(sigmas_).array(),
                        most = (start.abs() + 1).max(threshold::farthest);
-  Eigen::VectorXd change = (estimate.value - reference_).cwiseQuotient(sigmas_);
-  Eigen::Index kept = change.size();
-  while (kept > 0 && ((start + change.array()).abs() > most).any()) {
-    --kept;
-    change -= directions_.col(kept) * directions_.col(kept).dot(change);
+  const auto isPlausible = [&](const OwnEstimate& one) {
+    return (one.value.cwiseQuotient(sigmas_).array().abs() <= most).all();
+  };
+  OwnEstimate kept = estimate;
+  Eigen::Index left = 0;
+  while (left < sigmas_.size() && !isPlausible(kept)) {
+    ++left;
+    kept = leaveToPriors(directions_.rightCols(left), shares_.tail(left), estimate);
   }
-  if (kept == change.size()) {
-    return;
+  if (left > 0) {
+    const Eigen::VectorXd missing = (1 - shares_.tail(left).array()).max(0).sqrt();
+    const Eigen::Index before = kept.spread.cols(), coefficients = kept.coefficientSpread.rows();
+    kept.spread.conservativeResize(Eigen::NoChange, before + left);
+    kept.spread.rightCols(left) = sigmas_.asDiagonal() * directions_.rightCols(left) * missing.asDiagonal();
+    kept.coefficientSpread.conservativeResizeLike(Eigen::MatrixXd::Zero(coefficients, before + left));
+    estimate = std::move(kept);
   }
-  estimate.value = reference_ + sigmas_.cwiseProduct(change);
-  const auto used = directions_.leftCols(kept);
-  const auto left = directions_.rightCols(change.size() - kept);
-  const Eigen::MatrixXd told = used * (used.transpose() * (sigmas_.cwiseInverse().asDiagonal() * estimate.spread));
-  const Eigen::VectorXd missing = (1 - shares_.tail(left.cols()).array()).max(0).sqrt();
-  estimate.spread.resize(change.size(), told.cols() + left.cols());
-  estimate.spread << sigmas_.asDiagonal() * told, sigmas_.asDiagonal() * left * missing.asDiagonal();
-  const Eigen::Index coefficients = estimate.coefficientSpread.cols();
-  estimate.coefficientSpread.conservativeResizeLike(
-      Eigen::MatrixXd::Zero(estimate.coefficientSpread.rows(), coefficients + left.cols()));
 }
 
 } // namespace naocal

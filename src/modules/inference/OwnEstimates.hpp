@@ -34,9 +34,10 @@ struct OwnEstimate {
 };
 
 /// Biases from columns that a model lacks and that stay unnoticed: of the own unknowns by `own` v, while the columns'
-/// coefficients are `coefficients` v, |v| <= 1.
+/// coefficients are `coefficients` v, |v| <= 1; the coefficients of the model's own columns, which take part of it, by
+/// `taken` v.
 struct UnnoticedBiases {
-  Eigen::MatrixXd own, coefficients;
+  Eigen::MatrixXd own, coefficients, taken;
 };
 
 /// Estimates of the own unknowns x under any model of a window, at a misfit phi that no model explains.
@@ -45,8 +46,10 @@ struct UnnoticedBiases {
 /// information of the model's columns, c their coefficients and w the widths of their priors:
 ///   K = H / phi + Lambda,  B = K^-1 H_og / phi,  x = x_alone - B c,  C = K^-1 + B (S + diag(w)^-2)^-1 B^T.
 ///
-/// Two rules keep linear steps where they hold. Both work in units of the priors' sigmas and leave a direction of x to
-/// its prior: value of the linearisation point, variance 1.
+/// Two rules keep linear steps where they hold. Both work in units of the priors' sigmas and leave directions D of x to
+/// their priors: value of the linearisation point, variance 1. The coefficients are conditioned on that, or they would
+/// keep what these directions compensate: with V the covariance along D and a = D^T (x_alone - x_0),
+///   S -> S + B_D^T V^-1 B_D,  score -> score + B_D^T V^-1 a.
 /// * Directions that the captures do not tell, with information below `threshold::untold` while all coefficients are
 ///   zero: adding unknowns adds no information about others. Derivatives at other coefficients can pretend some, as
 ///   where an eccentricity's phase moves with a joint's offset.
@@ -68,18 +71,19 @@ public:
   const Eigen::MatrixXd& covariance() const { return covariance_; }
 
 private:
-  /// What the projected information of columns gains, over 1 / phi of it, from own unknowns that their priors hold
-  /// firmer: (1 - 1 / phi) B_1^T Lambda B, which is S less its 1 / phi share.
-  Eigen::MatrixXd freed(const Eigen::MatrixXd& fullAnswers, const Eigen::MatrixXd& answers) const;
-  Eigen::MatrixXd toldInUnits() const;
-  void findTold(const NullModel& plain);
+  /// Information of columns at the misfit, from their projected information P: P / phi, what own unknowns that their
+  /// priors hold firmer add, (1 - 1 / phi) B_1^T Lambda B, and what those left to their priors add.
+  Eigen::MatrixXd informationOf(const std::vector<Eigen::Index>& columns, const Eigen::MatrixXd& projected) const;
+  void leaveUntold(const NullModel& plain);
+  /// Leaves directions, in sigmas, to their priors; without the priors' variance. `shares`: their variances.
+  OwnEstimate leaveToPriors(const Eigen::MatrixXd& left, const Eigen::VectorXd& shares, OwnEstimate estimate) const;
   void keepPlausible(OwnEstimate& estimate) const;
 
   double misfit_;
   Eigen::VectorXd sigmas_, reference_;      // priors; the linearisation point
   Eigen::MatrixXd answers_, fullAnswers_;   // B, and its like where the measurements count in full
   Eigen::VectorXd alone_, score_;           // x_alone; projected scores, linearised at zero coefficients
-  Eigen::MatrixXd told_;                    // projector onto the directions that the captures tell, in sigmas
+  Eigen::MatrixXd held_;                    // V^-1/2 B_D along the directions that the captures do not tell
   Eigen::MatrixXd covariance_, directions_; // K^-1; its eigenvectors in sigmas, best determined first
   Eigen::VectorXd shares_;                  // their posterior variance as a share of the priors'
 };

@@ -92,4 +92,21 @@ std::vector<std::size_t> ScoreProblem::ownUnknownsIn(const PosePart& pose) const
   return {pose.unknowns.begin(), pose.unknowns.begin() + ownCountIn(pose)};
 }
 
+EffectsOnly::EffectsOnly(const ScoreProblem& wide)
+    : none_{.blocks = std::vector<std::vector<DriverColumns::Block>>(wide.poses->size())}, problem_{wide} {
+  problem_.groups.resize(problem_.named);
+  problem_.map = &none_;
+  for (Eigen::VectorXd* const columns : {&problem_.plausible, &problem_.sizes}) {
+    columns->conservativeResize(std::min(columns->size(), problem_.candidates));
+  }
+}
+
+EffectsOnly::EffectsOnly(const ScoreProblem& wide, const std::vector<bool>& marked) : EffectsOnly{wide} {
+  for (std::size_t group = 0; group < problem_.named; ++group) {
+    if (!marked[group]) {
+      problem_.plausible.segment(problem_.groups[group].first, problem_.groups[group].count).setZero();
+    }
+  }
+}
+
 } // namespace naocal

@@ -75,4 +75,20 @@ struct ScoreProblem {
   Eigen::VectorXd priorScore() const { return unknowns.cwiseQuotient(sigmas.cwiseAbs2()); }
 };
 
+/// The problem without curves. Keeps a reference to its poses.
+class EffectsOnly {
+public:
+  explicit EffectsOnly(const ScoreProblem& wide);
+  /// Only with the marked effects, one mark per named group: no size of another one is plausible.
+  EffectsOnly(const ScoreProblem& wide, const std::vector<bool>& marked);
+  EffectsOnly(const EffectsOnly&) = delete; // problem_ points into this object
+  EffectsOnly& operator=(const EffectsOnly&) = delete;
+
+  const ScoreProblem& problem() const { return problem_; }
+
+private:
+  DriverColumns none_;
+  ScoreProblem problem_;
+};
+
 } // namespace naocal

@@ -288,4 +288,11 @@ Eigen::MatrixXd ScoreTest::chi2Decreases(const PoseResiduals& residuals, const E
   return result;
 }
 
+MeasuredTests::MeasuredTests(const ScoreProblem& problem, const Noise& noise)
+    : MeasuredTests{problem, noise, measuredResiduals(*problem.poses)} {}
+
+MeasuredTests::MeasuredTests(const ScoreProblem& problem, const Noise& noise, const PoseResiduals& measured)
+    : alone{problem, noise}, tests{alone}, outcome{alone(measured, problem.priorScore())},
+      scores{tests.projectedScores(measured, outcome.own).col(0)} {}
+
 } // namespace naocal

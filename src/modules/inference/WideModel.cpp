@@ -43,7 +43,7 @@ std::vector<PoseRows> linearizedRows(const Measurements& measurements, const Mod
 
 WideModel::WideModel(const Measurements& measurements, const Model& model, std::vector<Term> candidates,
                      const FittedPoint& point, bool curves)
-    : measurements_{measurements}, candidates_{std::move(candidates)} {
+    : candidates_{std::move(candidates)} {
   const auto own = eigenIndex(model.unknownCount());
   const Eigen::VectorXd unknowns = point.state.unknowns.head(own);
   std::vector<DriverSeries> drivers;
@@ -81,15 +81,15 @@ WideModel::WideModel(const Measurements& measurements, const Model& model, std::
   unknowns_.resize(own + columns);
   unknowns_ << unknowns, problem_.sizes.head(columns);
   if (!problem_.sizes.isZero(0)) {
-    linearizePlainly(model, point);
+    linearizePlainly(measurements, model, point);
   }
 }
 
-void WideModel::linearizePlainly(const Model& model, const FittedPoint& point) {
+void WideModel::linearizePlainly(const Measurements& measurements, const Model& model, const FittedPoint& point) {
   Residuals::State state = point.state;
   state.unknowns.conservativeResize(eigenIndex(model.unknownCount()));
   const Loss quadratic; // a robust one would take the effects' absence for doubtful measurements
-  if (auto rows = Residuals{measurements_, model, point.noise, quadratic}.rows(state)) {
+  if (auto rows = Residuals{measurements, model, point.noise, quadratic}.rows(state)) {
     plain_ = *std::move(rows);
     problem_.plain = &plain_;
   }

@@ -23,7 +23,7 @@ class WideModel {
 public:
   WideModel(const WideModel&) = delete; // problem_ points into this object
   WideModel& operator=(const WideModel&) = delete;
-  /// `curves`: whether to include curves. Keeps a reference to `measurements`. Throws InputError if the fit puts an
+  /// `curves`: whether to include curves. Throws InputError if the fit puts an
   /// observed corner behind the camera.
   WideModel(const Measurements& measurements, const Model& model, std::vector<Term> candidates,
             const FittedPoint& point, bool curves);
@@ -36,13 +36,11 @@ public:
   const std::vector<MountCurve>& mounts() const { return mounts_; }
   const DriverColumns& map() const { return map_; }
   const ScoreProblem& problem() const { return problem_; }
-  const std::string& jointName(std::size_t joint) const { return measurements_.robot.joints[joint].name; }
 
 private:
   /// Fills `ScoreProblem::plain`, unless without the effects a corner that was seen would lie behind the camera.
-  void linearizePlainly(const Model& model, const FittedPoint& point);
+  void linearizePlainly(const Measurements& measurements, const Model& model, const FittedPoint& point);
 
-  const Measurements& measurements_;
   std::vector<Term> candidates_;
   Model extended_;
   Eigen::VectorXd unknowns_;

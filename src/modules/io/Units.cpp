@@ -60,6 +60,16 @@ int decimalsFor(double sigma) {
                                          : 0;
 }
 
+std::string formatSize(double size, const std::string& unit) {
+  const auto [shown, scale] = displayUnit(unit);
+  std::string number = fmt::format("{:.{}f}", scale * size, decimalsFor(scale * size));
+  if (number.find('.') != number.npos) { // no zeros at the end
+    number.erase(number.find_last_not_of('0') + 1);
+    number.erase(number.find_last_not_of('.') + 1);
+  }
+  return appendUnit(std::move(number), shown);
+}
+
 std::string formatEstimate(double value, double sigma) {
   const int decimals = decimalsFor(sigma);
   const bool isZero = std::abs(value) < std::pow(10.0, -decimals) / 2; // no "-0.00"

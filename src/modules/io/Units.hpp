@@ -38,6 +38,9 @@ inline std::pair<std::string, double> displayUnit(const std::string& unit) {
 
 /// Decimals that show two significant digits of a standard error, at most nine; 0 where it is zero or not finite.
 int decimalsFor(double sigma);
+/// "0.24 mm", "0.3 mm", "134 mm", "0.044°" for a size in SI: two significant digits or all before the point, no
+/// exponent.
+std::string formatSize(double size, const std::string& unit);
 /// "0.4755 ± 0.0086": a value and its standard error, to two significant digits of the latter.
 std::string formatEstimate(double value, double sigma);
 

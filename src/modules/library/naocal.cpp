@@ -1,12 +1,12 @@
 #include "library/naocal.hpp"
 
 #include "data/CaptureSetFile.hpp"
+#include "diagnosis/CheckedCalibration.hpp"
 #include "diagnosis/DiagnosisFile.hpp"
 #include "estimation/ModelBuilder.hpp"
 #include "io/Files.hpp"
 #include "io/InputError.hpp"
 #include "robot/RobotOfSet.hpp"
-#include "setups/CheckedCalibration.hpp"
 
 #include <nlohmann/json.hpp>
 #include <utility>

@@ -18,6 +18,11 @@ inline double logDeterminant(const Eigen::LLT<Eigen::MatrixXd>& factor) {
   return 2 * factor.matrixLLT().diagonal().array().log().sum();
 }
 
+/// A^-1 of A = L L^T.
+inline Eigen::MatrixXd inverse(const Eigen::LLT<Eigen::MatrixXd>& factor) {
+  return factor.solve(Eigen::MatrixXd::Identity(factor.rows(), factor.cols()));
+}
+
 /// A = vectors diag(values) vectors^T.
 struct SymmetricEigen {
   Eigen::VectorXd values;  // ascending

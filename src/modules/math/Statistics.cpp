@@ -5,6 +5,7 @@
 #include <boost/math/distributions/fisher_f.hpp>
 #include <boost/math/distributions/non_central_chi_squared.hpp>
 #include <boost/math/distributions/students_t.hpp>
+#include <cstddef>
 
 namespace naocal {
 
@@ -22,10 +23,14 @@ double chiSquaredTail(double value, double freedom) {
   return cdf(complement(ChiSquared{freedom}, value));
 }
 
+double criticalChi2(double freedom, double p) {
+  constexpr double leastP = 1e-12;
+  return quantile(complement(boost::math::chi_squared{freedom}, std::max(p, leastP)));
+}
+
 double requiredNoncentrality(double power, double freedom, double criticalP) {
-  constexpr double leastP = 1e-12; // the inverse distribution overflows below
-  const double critical = quantile(complement(boost::math::chi_squared{freedom}, std::max(criticalP, leastP)));
-  return boost::math::non_central_chi_squared::find_non_centrality(freedom, critical, 1 - power);
+  return boost::math::non_central_chi_squared::find_non_centrality(freedom, criticalChi2(freedom, criticalP),
+                                                                   1 - power);
 }
 
 double fTail(double value, double freedom, double remaining) {
@@ -42,6 +47,12 @@ double studentQuantile(double probability, double freedom) {
 
 double studentBelow(double value, double freedom) {
   return cdf(Student{freedom}, value);
+}
+
+double medianOf(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
 }
 
 } // namespace naocal

@@ -1,5 +1,6 @@
 #include "measurements/FailedReadings.hpp"
 
+#include "math/Statistics.hpp"
 #include "measurements/CaptureReading.hpp"
 #include "measurements/FrameRegistry.hpp"
 #include "robot/Kinematics.hpp"
@@ -106,12 +107,6 @@ ReadingsByTarget collectReadings(const CaptureSet& set, const Robot& robot) {
                      [](const TargetReading& one, const TargetReading& other) { return one.time < other.time; });
   }
   return readings;
-}
-
-double medianOf(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 /// By how much a reading's distances from the others differ from those of the target's places: median [m]. Absent with

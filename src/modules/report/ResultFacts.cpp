@@ -34,12 +34,6 @@ Fact cornerFact(const JsonCursor& result, std::size_t pictures, const std::optio
           where + "; the first number is with the robot's drawing alone, boards where they fit best."};
 }
 
-/// "0.24 mm", "0.044°"
-std::string formatSize(double size, const std::string& unit) {
-  const auto [shown, scale] = displayUnit(unit);
-  return appendUnit(fmt::format("{:.3g}", scale * size), shown);
-}
-
 /// What one instrument's errors are: its key in a result, its unit, and how they are called.
 struct ErrorOf {
   std::string unit; // "m" or "rad"
@@ -199,11 +193,6 @@ std::vector<Fact> facts(const JsonCursor& result, std::size_t pictures, const st
   std::vector<Fact> all = readingFacts(result, drawing);
   if (pictures > 0) {
     all.insert(all.begin(), cornerFact(result, pictures, drawing));
-  }
-  if (const double floor = numberAt(result, "floorErrorAt2m"); floor > 0) {
-    all.push_back({fmt::format("± {:.1f} mm", 1000 * floor),
-                   "is how far off the robot will see a point on the floor 2 m ahead (1 sigma); below 50 mm is good "
-                   "enough to play."});
   }
   if (const auto fact = taskFact(result)) {
     all.push_back(*fact);

@@ -76,6 +76,20 @@ std::vector<std::string> trackersOfFrames(const Measurements& measurements) {
   return ids;
 }
 
+std::vector<std::string> listPairs(const std::vector<std::string>& names) {
+  std::vector<std::string> pairs;
+  for (std::size_t one = 0; one < names.size(); ++one) {
+    for (std::size_t other = one + 1; other < names.size(); ++other) {
+      pairs.push_back(names[one] + ',' + names[other]);
+    }
+  }
+  return pairs;
+}
+
+std::pair<std::string, std::string> splitPair(const std::string& pair) {
+  return {pair.substr(0, pair.find(',')), pair.substr(pair.find(',') + 1)};
+}
+
 bool areNearOnChain(const Robot& robot, const std::string& joint, const std::string& other) {
   constexpr int most = 2; // steps
   const auto isWithin = [&](std::size_t from, std::size_t to) {

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace naocal {
@@ -19,6 +20,10 @@ std::vector<std::string> trackerIds(const std::vector<CaptureSet>& sets);
 
 /// Ids of the trackers that read frames.
 std::vector<std::string> trackersOfFrames(const Measurements& measurements);
+
+/// "a,b" of every two of these names; and the two of such a pair.
+std::vector<std::string> listPairs(const std::vector<std::string>& names);
+std::pair<std::string, std::string> splitPair(const std::string& pair);
 
 /// Whether at most one joint lies between two on the way from one to the other: only such drives run through each
 /// other.

@@ -398,12 +398,4 @@ std::vector<WrongSetUp> findSlippedCounts(const FittedModel& fitted) {
   return result;
 }
 
-std::string describeSetUps(const std::vector<WrongSetUp>& found) {
-  std::vector<std::string> clauses;
-  for (const WrongSetUp& setUp : found) {
-    clauses.push_back(setUp.why);
-  }
-  return fmt::format("{}", fmt::join(clauses, "; and "));
-}
-
 } // namespace naocal

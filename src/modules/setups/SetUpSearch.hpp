@@ -25,7 +25,4 @@ std::vector<WrongSetUp> findSetUps(const Measurements& measurements, const Model
 /// Joints whose fitted offset lies nearer to a whole number of motor turns, not zero, than to zero.
 std::vector<WrongSetUp> findSlippedCounts(const FittedModel& fitted);
 
-/// For example "elbow's angles have the wrong sign; and the squares of board A are 10 times larger than the file says".
-std::string describeSetUps(const std::vector<WrongSetUp>& found);
-
 } // namespace naocal

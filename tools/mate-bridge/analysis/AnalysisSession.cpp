@@ -3,6 +3,7 @@
 #include "analysis/PanelJson.hpp"
 #include "calibration/Prediction.hpp"
 #include "calibration/result/ResultFile.hpp"
+#include "diagnosis/CheckedCalibration.hpp"
 #include "diagnosis/DiagnosisFile.hpp"
 #include "diagnosis/DiagnosisWording.hpp"
 #include "diagnosis/Session.hpp"
@@ -17,7 +18,6 @@
 #include "report/ReportPage.hpp"
 #include "robot/LegKinematics.hpp"
 #include "scenes/SceneNextPoses.hpp"
-#include "setups/CheckedCalibration.hpp"
 #include "setups/Mending.hpp"
 
 #include <algorithm>

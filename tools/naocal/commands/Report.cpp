@@ -5,9 +5,9 @@
 
 #include "calibration/result/ResultFile.hpp"
 #include "command-line/OptionChecks.hpp"
+#include "diagnosis/CheckedCalibration.hpp"
 #include "estimation/ModelBuilder.hpp"
 #include "report/ReportPage.hpp"
-#include "setups/CheckedCalibration.hpp"
 
 #include <CLI/CLI.hpp>
 #include <filesystem>

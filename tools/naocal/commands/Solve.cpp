@@ -6,13 +6,13 @@
 
 #include "calibration/result/Verdict.hpp"
 #include "command-line/OptionChecks.hpp"
+#include "diagnosis/CheckedCalibration.hpp"
 #include "dialects/ModelCalibration.hpp"
 #include "estimation/ModelBuilder.hpp"
 #include "estimation/ModelFile.hpp"
 #include "io/FileVersion.hpp"
 #include "io/Files.hpp"
 #include "io/JsonReader.hpp"
-#include "setups/CheckedCalibration.hpp"
 #include "setups/Mending.hpp"
 
 #include <CLI/CLI.hpp>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "calibration/ReadingErrors.hpp"
+#include "calibration/result/DataAnomaly.hpp"
 #include "effects/Catalogue.hpp"
 #include "estimation/Residuals.hpp"
 #include "inference/NoiseLevels.hpp"
@@ -162,7 +163,7 @@ enum class ResultVerdict {
   doNotUse
 };
 
-/// The point by which a result is judged, with its uncertainty [m] (`estimateTask`).
+/// The point by which a result is judged, with its uncertainty [m] (`fillTask`).
 struct Task {
   std::string what; // "ball at 2 m" or "tool"
   double sigma = 0, bound = 0;
@@ -170,11 +171,12 @@ struct Task {
   bool isGiven = false; // the tolerance is the user's
 };
 
-/// The worst bias that the captures would not show with 80 % power (`findUndetectable`).
+/// The worst bias that the captures would not show with 80 % power (`ModelWindow::undetected`).
 struct Undetectable {
   std::string effect; // that causes it: "elasticity@LKneePitch"
   std::string of;     // "task", or the joint whose offset it shifts
-  double bias = 0;    // [m], or the offset's unit
+  double bias = 0;    // in `unit`
+  std::string unit;   // "m", or the offset's
 };
 
 struct CalibrationResult {
@@ -206,6 +208,7 @@ struct CalibrationResult {
   double scatter = 0;                    // decrease of -2 ln likelihood from zero to the estimated pose noise
   std::vector<Explanation> explanations; // by decreasing weight; weights above 0.01
   std::vector<WrongSetUp> setUps;        // that explain the misfit; those were not mended
+  std::vector<DataAnomaly> suspicious;   // a one-off event that explains the misfit, if any
   /// What is beyond chance, if it does not matter.
   std::optional<NegligibleEffect> negligible;
   std::vector<WeakDirection> weak;
@@ -213,7 +216,6 @@ struct CalibrationResult {
   std::vector<DoubtfulReading> doubtfulReadings;
   std::vector<SharedCause> sharedCauses; // of measurements that lie far from the likeliest explanation
   RejectedMeasurements rejected;
-  double floorErrorAt2m = 0; // 1-sigma error of a floor point 2 m ahead [m] at `misfit`; 0 without floor boards
   std::optional<Task> task;
   std::optional<Undetectable> undetectable;
   int iterations = 0;

@@ -137,7 +137,7 @@ void addOffset(const FittedModel& fitted, const Term& term, std::vector<std::str
   sentences.push_back(
       fmt::format("{} cannot be learned from these captures ({:.0f} % learned, ±{}): "
                   "{}, or leave it out with --without {}",
-                  describeUnknown(term, 0), 100 * estimate.learned, formatSigma(term, estimate.sigma),
+                  describeUnknown(term, 0), 100 * estimate.learned, formatSigma(term, estimate.bestSigma()),
                   motionOf(term.placeIndex, fitted.measurements) < far
                       ? "add poses that move it"
                       : "it moves, but what is measured hardly moves with it; measure something further from its axis",
@@ -168,8 +168,10 @@ void addEffect(const FittedModel& fitted, const Term& term, std::vector<std::str
 HeldOffsets findHeldOffsets(const FittedModel& fitted) {
   HeldOffsets held;
   for (const Term& term : fitted.model.terms()) {
-    if (!fitted.measurements.quantities.scene().hasLinkSteps || !isOffset(term) || isLearnedByCaptures(fitted, term) ||
-        isStill(term.placeIndex, fitted.measurements) || !isLearnedGiven(fitted, term, 0, canImitate)) {
+    if (!fitted.measurements.quantities.scene().hasLinkSteps || !isOffset(term) ||
+        isStill(term.placeIndex, fitted.measurements) ||
+        (isLearned(fitted, term.first) && isLearnedByCaptures(fitted, term)) ||
+        !isLearnedGiven(fitted, term, 0, canImitate)) {
       continue;
     }
     if (const Term* const imitator = findImitator(fitted.model, fitted.fit, term)) {

@@ -140,6 +140,8 @@ std::string shortName(const std::string& unknown) {
   return unknown.starts_with(offset) ? unknown.substr(offset.size(), unknown.rfind('.') - offset.size()) : unknown;
 }
 
+} // namespace
+
 json averagedJson(const Averaged& averaged) {
   json result{{"value", averaged.value},
               {"sigma", averaged.sigma},
@@ -147,10 +149,10 @@ json averagedJson(const Averaged& averaged) {
               {"bound", averaged.bound},
               {"shoulder", nullptr}};
   if (const auto& shoulder = averaged.shoulder) {
-    result["shoulder"] = {{"effects", shoulder->effects}, {"weight", shoulder->weight}, {"value", shoulder->value}};
-    if (!shoulder->without.empty()) {
-      result["shoulder"]["without"] = shoulder->without;
-    }
+    result["shoulder"] = {{"effects", shoulder->effects},
+                          {"without", shoulder->without},
+                          {"weight", shoulder->weight},
+                          {"value", shoulder->value}};
   }
   return result;
 }
@@ -166,7 +168,37 @@ json taskJson(const CalibrationResult& result) {
           {"tolerance", result.task->tolerance}};
 }
 
-/// The pose that would show the bias is the planner's to find.
+json anomalyJson(const DataAnomaly& anomaly) {
+  json entry{{"why", anomaly.why}};
+  if (anomaly.capture) {
+    entry["capture"] = *anomaly.capture;
+  }
+  if (!anomaly.setUp.empty()) {
+    entry["setUp"] = anomaly.setUp;
+  }
+  if (!anomaly.moved.empty()) {
+    entry["moved"] = anomaly.moved;
+  }
+  if (anomaly.from) {
+    entry["from"] = *anomaly.from;
+  }
+  if (anomaly.odds) {
+    entry["odds"] = *anomaly.odds;
+  }
+  for (const EventValue& value : anomaly.values) {
+    entry["values"].push_back({{"unknown", value.unknown},
+                               {"value", value.value},
+                               {"sigma", value.sigma > 0 ? json(value.sigma) : json(nullptr)},
+                               {"interval", value.sigma > 0 ? json({value.low, value.high}) : json(nullptr)},
+                               {"unit", value.unit}});
+  }
+  if (anomaly.when) {
+    entry["time"] = anomaly.when->time;
+    entry["between"] = {anomaly.when->since, anomaly.when->until};
+  }
+  return entry;
+}
+
 json undetectableJson(const CalibrationResult& result) {
   if (!result.undetectable) {
     return nullptr;
@@ -174,6 +206,8 @@ json undetectableJson(const CalibrationResult& result) {
   const Undetectable& worst = *result.undetectable;
   return {{"effect", worst.effect}, {"bias", {{worst.of, worst.bias}}}, {"pose", nullptr}};
 }
+
+namespace {
 
 json effectsJson(const Model& model, const CalibrationResult& result) {
   json effects = json::array();
@@ -400,7 +434,6 @@ json resultJson(const FittedModel& fitted, const ResultSources& inputs) {
                   {"placementSigmas", placementSigmasJson(fitted.model, fitted.fit)},
                   {"weak", weakJson(fitted.fit)},
                   {"doubtful", outliersJson(fitted.measurements, fitted.fit)},
-                  {"floorErrorAt2m", fitted.fit.floorErrorAt2m},
                   {"task", taskJson(fitted.fit)},
                   {"undetectable", undetectableJson(fitted.fit)},
                   {"iterations", fitted.fit.iterations},
@@ -414,6 +447,10 @@ json resultJson(const FittedModel& fitted, const ResultSources& inputs) {
                   {"cameras", camerasJson(*fitted.measurements.sets)},
                   {"sightings", residualsJson(fitted.measurements, fitted.fit)}});
   result["reasons"] = fitted.fit.reasons;
+  result["suspicious"] = json::array();
+  for (const DataAnomaly& anomaly : fitted.fit.suspicious) {
+    result["suspicious"].push_back(anomalyJson(anomaly));
+  }
   result["rejected"] = rejectedJson(fitted.fit);
   if (fitted.fit.negligible) {
     result["negligible"] = {{"label", fitted.fit.negligible->label},

@@ -30,6 +30,14 @@ nlohmann::json toJson(const ResultSources& sources);
 /// [{"setUp": "reversedJoint@elbow", "why": "...", "question": "...", "odds": x}], as results and diagnoses list them
 nlohmann::json setUpsJson(const std::vector<WrongSetUp>& setUps);
 
+/// Parts of a result: an averaged estimate, its task, and what its captures might not show (the pose that would show it
+/// is the planner's to find). Null where there is none.
+nlohmann::json averagedJson(const Averaged& averaged);
+nlohmann::json taskJson(const CalibrationResult& result);
+nlohmann::json undetectableJson(const CalibrationResult& result);
+/// A suspicious capture, board or setting, as results and diagnoses list it.
+nlohmann::json anomalyJson(const DataAnomaly& anomaly);
+
 /// RESULT.json: estimates with uncertainty, assumptions, and the prediction of every corner for reports.
 nlohmann::json resultJson(const FittedModel& fitted, const ResultSources& inputs);
 

@@ -1,7 +1,6 @@
 #include "calibration/result/Verdict.hpp"
 
 #include "calibration/Outliers.hpp"
-#include "calibration/Task.hpp"
 #include "calibration/Uncertainty.hpp"
 #include "calibration/result/Assumptions.hpp"
 #include "calibration/result/Determination.hpp"
@@ -9,6 +8,7 @@
 #include "calibration/result/Wording.hpp"
 #include "effects/Catalogue.hpp"
 #include "inference/Thresholds.hpp"
+#include "io/Units.hpp"
 #include "math/Angles.hpp"
 
 #include <algorithm>
@@ -58,12 +58,16 @@ bool isNoise(const CalibrationResult& result, double mostRejected) {
   return rejected.presentPx <= most || (rejected.keptPx <= most && rejected.share() <= mostRejected);
 }
 
+bool isBeyondTolerance(const CalibrationResult& result) {
+  return result.task && result.task->bound > result.task->tolerance;
+}
+
 /// Whether the answer is precise enough with a cause missing: the task's bound is within its tolerance, or without a
 /// task half of every offset's 95 % interval within half a degree.
 bool isPreciseEnough(const Model& model, const CalibrationResult& result, const HeldOffsets& held) {
   constexpr double widest = radians(0.5); // [rad]
   if (result.task) {
-    return result.task->bound <= result.task->tolerance;
+    return !isBeyondTolerance(result);
   }
   return std::all_of(model.terms().begin(), model.terms().end(), [&](const Term& term) {
     if (term.effect.name != effectName::jointOffset || !term.requested || held.contains(term.first)) {
@@ -114,31 +118,30 @@ void warnOfHeldOffsets(const Model& model, const HeldOffsets& held, CalibrationR
       warn(About::offset,
            fmt::format("{} cannot be told from {}{} (±{})", describeUnknown(term, 0), describeImitator(*found->second),
                        found->second->isPlacement ? " and is held at zero" : "; only what both do together is known",
-                       formatSigma(term, result.estimates[term.first].sigma)),
+                       formatSigma(term, result.estimates[term.first].bestSigma())),
            result);
     }
   }
 }
 
-/// Forbids results with a large floor error.
-void checkFloorError(CalibrationResult& result) {
-  constexpr double largest = 0.05; // [m]
-  if (result.floorErrorAt2m > largest) {
-    forbid(About::floor,
-           {fmt::format("a floor point 2 m ahead would be seen {:.0f} mm off (1 sigma); at most {:.0f} mm "
-                        "is good enough to play: take more poses or more boards",
-                        1e3 * result.floorErrorAt2m, 1e3 * largest)},
-           result);
+/// Forbids results whose error is likely beyond the tolerance.
+void checkTask(CalibrationResult& result) {
+  if (result.task && !result.task->isGiven && result.task->sigma > result.task->tolerance) {
+    forbid(
+        About::floor,
+        {fmt::format("{}: the error, {} (1 sigma), is beyond the tolerance of {}: take more poses or more boards",
+                     result.task->what, formatSize(result.task->sigma, "m"), formatSize(result.task->tolerance, "m"))},
+        result);
   }
 }
 
 /// The sentence about a bound beyond the tolerance, if it is. `isGiven`: of a tolerance that the user gave.
 std::vector<std::string> describeBound(bool isGiven, bool missing, const CalibrationResult& result) {
-  if (!result.task || result.task->isGiven != isGiven || result.task->bound <= result.task->tolerance) {
+  if (!isBeyondTolerance(result) || result.task->isGiven != isGiven) {
     return {};
   }
-  return {fmt::format("{}: the bound of the error, {:.2g} mm (99.95 %), is beyond the tolerance of {:.2g} mm: {}",
-                      result.task->what, 1e3 * result.task->bound, 1e3 * result.task->tolerance,
+  return {fmt::format("{}: the bound of the error, {} (99.95 %), is beyond the tolerance of {}: {}", result.task->what,
+                      formatSize(result.task->bound, "m"), formatSize(result.task->tolerance, "m"),
                       missing ? "add the effect that is missing" : "take more poses")};
 }
 
@@ -188,7 +191,12 @@ std::string formatCause(const CalibrationResult& result, bool missing) {
 /// Why a result must not be used whose error has an unknown cause.
 std::string formatUnexplained(const CalibrationResult& result, const DisplacedBoardCount& displaced,
                               const std::string& cause) {
-  return fmt::format("{}; {}, and the offsets depend on it", formatSizes(result, displaced), cause);
+  const std::string harm =
+      isBeyondTolerance(result)
+          ? fmt::format("the {} may be up to {} off (99.95 %; tolerance {})", result.task->what,
+                        formatSize(result.task->bound, "m"), formatSize(result.task->tolerance, "m"))
+          : std::string{"the offsets depend on it"};
+  return fmt::format("{}; {}, and {}", formatSizes(result, displaced), cause, harm);
 }
 
 } // namespace
@@ -213,7 +221,6 @@ std::string formatVerdict(const CalibrationResult& result, const DisplacedBoardC
 
 void judgeResult(const Measurements& measurements, const Model& model, CalibrationResult& result) {
   result.weak = findWeakDirections(model, result);
-  result.floorErrorAt2m = predictFloorErrorAt2m({measurements, model, result});
   result.usable = true;
   if (!result.converged) {
     forbid(About::fit, {"the search did not converge: try --restarts 20, and check the robot's model and the boards"},
@@ -223,12 +230,12 @@ void judgeResult(const Measurements& measurements, const Model& model, Calibrati
   const bool isCertain = !result.usable;
   const HeldOffsets held = findHeldOffsets({measurements, model, result});
   forbid(About::offset, listUndetermined({measurements, model, result}, held), result);
-  checkFloorError(result);
-  const bool missing = (result.pValue <= threshold::alarm && result.matters) || !result.sharedCauses.empty();
-  forbid(About::floor, describeBound(true, missing, result), result);
+  checkTask(result);
   const DisplacedBoardCount displaced{measurements, result.outliers};
-  result.verdict =
-      result.usable ? judgeExplained(model, result, held, missing || displaced.areMany()) : ResultVerdict::doNotUse;
+  const bool missing =
+      (result.pValue <= threshold::alarm && result.matters) || !result.sharedCauses.empty() || displaced.areMany();
+  forbid(About::floor, describeBound(true, missing, result), result);
+  result.verdict = result.usable ? judgeExplained(model, result, held, missing) : ResultVerdict::doNotUse;
   // reports a missing effect before what is not learned: it implies that the offsets are uncertain
   const std::string cause = formatCause(result, missing);
   const bool isFirm = !result.usable && (isCertain || !missing);

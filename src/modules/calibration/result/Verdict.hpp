@@ -7,8 +7,7 @@
 
 namespace naocal {
 
-/// Finds weak directions, predicts the error on the floor and judges the result. Fills `weak`, `floorErrorAt2m`,
-/// `warnings`, `verdict`, `usable` and `sentence`.
+/// Finds weak directions and judges the result. Fills `weak`, `warnings`, `verdict`, `usable` and `sentence`.
 void judgeResult(const Measurements& measurements, const Model& model, CalibrationResult& result);
 
 struct DisplacedBoardCount;

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <iterator>
 #include <map>
 #include <span>
 
@@ -47,6 +48,27 @@ std::string direction(const std::string& unknown) {
                                                         {"x", "forward"}, {"y", "sideways"}, {"z", "up"}};
   const auto word = words.find(unknown);
   return word == words.end() ? unknown : word->second;
+}
+
+/// "elasticity@LKneePitch", "a curve of LKneePitch over q", "a motion of Torso".
+std::string describeMissing(const std::string& label) {
+  return label.find('@') != label.npos        ? label
+         : label.find(" over ") != label.npos ? "a curve of " + label
+                                              : "a motion of " + label;
+}
+
+/// What an explanation adds to the model and takes from it: "elasticity@LKneePitch is missing and backlash@LKneePitch
+/// is not there".
+std::string formatExplanation(const std::vector<std::string>& effects, const std::vector<std::string>& without) {
+  std::vector<std::string> missing, parts;
+  std::transform(effects.begin(), effects.end(), std::back_inserter(missing), describeMissing);
+  if (!missing.empty()) {
+    parts.push_back(joinWords(missing) + (missing.size() == 1 ? " is missing" : " are missing"));
+  }
+  if (!without.empty()) {
+    parts.push_back(joinWords(without) + (without.size() == 1 ? " is not there" : " are not there"));
+  }
+  return parts.empty() ? "nothing is missing" : joinWords(parts);
 }
 
 } // namespace
@@ -119,19 +141,15 @@ std::string formatShoulder(const std::string& name, const std::string& unit, con
   const auto format = [&, &shownUnit = shown, &factor = scale](double value) {
     return appendUnit(fmt::format("{:.{}f}", factor * value, decimals), shownUnit);
   };
-  const std::string cause =
-      shoulder.effects.empty()
-          ? "nothing is missing"
-          : joinWords(shoulder.effects) + (shoulder.effects.size() == 1 ? " is missing" : " are missing");
-  const std::string instead = shoulder.without.empty() ? "" : " and not " + joinWords(shoulder.without);
+  const std::string cause = formatExplanation(shoulder.effects, shoulder.without);
   const std::string low = format(averaged.bound[0]), high = format(averaged.bound[1]);
   if (std::abs(shoulder.value - averaged.value) <
       0.1 * (averaged.bound[1] - averaged.bound[0])) { // no other value: wider
-    return fmt::format("{} may lie from {} to {} (99.95 %) if {}{} ({:.2g} %)", name, low, high, cause, instead,
+    return fmt::format("{} may lie from {} to {} (99.95 %) if {} ({:.2g} %)", name, low, high, cause,
                        100 * shoulder.weight);
   }
-  return fmt::format("{} may be {} ({:.2g} %) if {}{}; 99.95 % bound {} to {}", name, format(shoulder.value),
-                     100 * shoulder.weight, cause, instead, low, high);
+  return fmt::format("{} may be {} ({:.2g} %) if {}; 99.95 % bound {} to {}", name, format(shoulder.value),
+                     100 * shoulder.weight, cause, low, high);
 }
 
 std::string formatJointNoise(const Noise& noise, bool hasUnknownSteps) {

@@ -34,7 +34,8 @@ double rmsBesideLikeliest(const CandidateTests& candidateTests, const Measuremen
   return std::numeric_limits<double>::infinity();
 }
 
-/// Mistakes of the set-up as suspicions.
+} // namespace
+
 std::vector<DataAnomaly> suspect(const std::vector<WrongSetUp>& setUps) {
   std::vector<DataAnomaly> result;
   for (const WrongSetUp& setUp : setUps) {
@@ -45,8 +46,6 @@ std::vector<DataAnomaly> suspect(const std::vector<WrongSetUp>& setUps) {
   }
   return result;
 }
-
-} // namespace
 
 std::vector<DataAnomaly> findAnomalies(const FittedModel& fitted, const CandidateTests& candidateTests,
                                        const Measurements& given) {

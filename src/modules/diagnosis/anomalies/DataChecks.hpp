@@ -6,6 +6,9 @@
 
 namespace naocal {
 
+/// Mistakes of the set-up as suspicions.
+std::vector<DataAnomaly> suspect(const std::vector<WrongSetUp>& setUps);
+
 /// Finds mistakes of the set-up (`findSetUps`) and accidents: a displaced board or robot, a bad capture. Reports one
 /// only if it explains the captures far better than any effect. `given`: the measurements at full weight.
 std::vector<DataAnomaly> findAnomalies(const FittedModel& fitted, const CandidateTests& candidateTests,

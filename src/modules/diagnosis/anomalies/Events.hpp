@@ -9,13 +9,6 @@
 
 namespace naocal {
 
-/// Time of an event within one set, relative to the first capture.
-struct Moment {
-  std::size_t set = 0;
-  double time = 0;             // most likely time [s]
-  double since = 0, until = 0; // certain bounds [s]
-};
-
 /// A one-off event as a candidate: a term that acts from a moment on, or in a few captures only.
 struct TransientEvent {
   Term term;
@@ -35,13 +28,6 @@ bool isMoveAnyhow(const TransientEvent& event);
 
 /// Whether both concern the same object, at any moments of a set, or the same captures.
 bool isSameThing(const TransientEvent& one, const TransientEvent& other);
-
-/// Estimate of one unknown of an event.
-struct EventValue {
-  std::string unknown, unit;
-  double value = 0, sigma = 0; // [unit]
-  double low = 0, high = 0;    // 95 % interval
-};
 
 /// "board B moved by 33 mm and 0.8° (x +31.0 ± 0.4 mm, ...), 12.3 s after the first capture (between 8.2 and 16.4 s)".
 /// `values`: the event's unknowns, without sigmas where they could not be estimated.

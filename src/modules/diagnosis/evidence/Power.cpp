@@ -4,21 +4,11 @@
 
 #include <Eigen/LU>
 #include <algorithm>
-#include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/non_central_chi_squared.hpp>
 #include <cmath>
 #include <limits>
 
 namespace naocal {
-
-namespace {
-
-double criticalChi2(Eigen::Index freedom, double criticalP) {
-  constexpr double leastP = 1e-12; // the inverse distribution overflows below
-  return quantile(complement(boost::math::chi_squared{static_cast<double>(freedom)}, std::max(criticalP, leastP)));
-}
-
-} // namespace
 
 bool isPlausible(const GroupEvidence& group, const Eigen::VectorXd& sigmas) {
   return (group.estimate.cwiseAbs().array() <= threshold::implausible * sigmas.array()).all();
@@ -29,7 +19,7 @@ double detectionPower(double noncentrality, Eigen::Index freedom, double critica
     return 0;
   }
   const boost::math::non_central_chi_squared shifted{static_cast<double>(freedom), std::min(noncentrality, 1e4)};
-  return cdf(complement(shifted, criticalChi2(freedom, criticalP)));
+  return cdf(complement(shifted, criticalChi2(static_cast<double>(freedom), criticalP)));
 }
 
 Sensitivity computeSensitivity(const GroupEvidence& group, const Eigen::VectorXd& plausible, double criticalP) {

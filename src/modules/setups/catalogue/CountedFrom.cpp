@@ -1,10 +1,11 @@
 #include "math/Angles.hpp"
+#include "math/Statistics.hpp"
 #include "setups/Catalogue.hpp"
 #include "setups/ReadingChanges.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <utility>
 
 namespace naocal {
 
@@ -17,9 +18,7 @@ double medianReading(const Measurements& measurements, const std::string& joint)
   for (const ImageObservation& picture : measurements.pictures) {
     angles.push_back(picture.instant.q[index]);
   }
-  const auto middle = angles.begin() + static_cast<std::ptrdiff_t>(angles.size() / 2);
-  std::nth_element(angles.begin(), middle, angles.end());
-  return *middle;
+  return medianOf(std::move(angles));
 }
 
 } // namespace
@@ -48,7 +47,7 @@ SetUp countedFrom() {
           .listMendings =
               [](const Measurements& measurements, const std::string& pair) {
                 constexpr double nothing = radians(5); // an offset of a calibrated robot anyway
-                const std::string joint = pair.substr(0, pair.find(',')), other = pair.substr(pair.find(',') + 1);
+                const auto [joint, other] = splitPair(pair);
                 const double usual = medianReading(measurements, other);
                 std::vector<Mending> ways;
                 for (const int sign : {1, -1}) {
@@ -59,7 +58,7 @@ SetUp countedFrom() {
                     ways.push_back({fmt::format("{} is counted from {}: what it reads is its angle {} that of {}{}",
                                                 joint, other, sign > 0 ? "minus" : "plus", other,
                                                 from == 0 ? "" : fmt::format(", from {:.0f}° on", degrees(from))),
-                                    [=](Recording& recording) {
+                                    [=, joint = joint, other = other](Recording& recording) {
                                       addOtherJoint(recording.sets, joint, other, sign, -sign * from);
                                     }});
                   }

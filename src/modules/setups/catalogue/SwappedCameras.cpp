@@ -1,4 +1,5 @@
 #include "setups/Catalogue.hpp"
+#include "setups/ReadingChanges.hpp"
 
 #include <fmt/format.h>
 #include <set>
@@ -18,19 +19,13 @@ SetUp swappedCameras() {
                     cameras.insert(measurements.robot.cameras[picture.camera].name);
                   }
                 }
-                std::vector<std::string> pairs;
-                for (auto one = cameras.begin(); one != cameras.end(); ++one) {
-                  for (auto other = std::next(one); other != cameras.end(); ++other) {
-                    pairs.push_back(*one + ',' + *other);
-                  }
-                }
-                return pairs;
+                return listPairs({cameras.begin(), cameras.end()});
               },
           .listMendings =
               [](const Measurements&, const std::string& pair) {
-                const std::string one = pair.substr(0, pair.find(',')), other = pair.substr(pair.find(',') + 1);
+                const auto [one, other] = splitPair(pair);
                 return std::vector<Mending>{{fmt::format("the names of the cameras {} and {} are swapped", one, other),
-                                             [one, other](Recording& recording) {
+                                             [one = one, other = other](Recording& recording) {
                                                for (CaptureSet& set : recording.sets) {
                                                  for (Capture& capture : set.captures) {
                                                    capture.camera = capture.camera == one     ? other

@@ -6,13 +6,13 @@
 #include "console/print/PrintText.hpp"
 
 #include "calibration/Prediction.hpp"
+#include "diagnosis/CheckedCalibration.hpp"
 #include "diagnosis/DiagnosisWording.hpp"
 #include "estimation/ModelBuilder.hpp"
 #include "estimation/ModelFile.hpp"
 #include "io/InputError.hpp"
 #include "poses/PoseFile.hpp"
 #include "scenes/SceneNextPoses.hpp"
-#include "setups/CheckedCalibration.hpp"
 
 #include <algorithm>
 #include <filesystem>

@@ -56,14 +56,14 @@ void printShoulders(const Model& model, const CalibrationResult& result) {
 
 /// What the uncertainty means for the task, and what could bias it unnoticed.
 void printTask(const CalibrationResult& result) {
-  if (!result.task) {
-    return;
+  if (result.task) {
+    printText("{}: {} off (1 sigma), at most {} (99.95 %); tolerance {}\n", result.task->what,
+              formatSize(result.task->sigma, "m"), formatSize(result.task->bound, "m"),
+              formatSize(result.task->tolerance, "m"));
   }
-  printText("{}: {:.2g} mm off (1 sigma), at most {:.2g} mm (99.95 %); tolerance {:.2g} mm\n", result.task->what,
-            1e3 * result.task->sigma, 1e3 * result.task->bound, 1e3 * result.task->tolerance);
-  if (result.undetectable && result.undetectable->of == "task") {
-    printText("what these captures might not show: {} can shift it by {:.2g} mm\n", result.undetectable->effect,
-              1e3 * result.undetectable->bias);
+  if (const auto& worst = result.undetectable) {
+    printText("what these captures might not show: {} can shift the {} by {}\n", worst->effect,
+              worst->of == "task" ? result.task->what : "offset of " + worst->of, formatSize(worst->bias, worst->unit));
   }
 }
 
@@ -122,9 +122,6 @@ void printCalibration(const FittedModel& fitted) {
                               fitted.fit.noise.pixel, fitted.fit.noise.pixelAlike)
                 : "",
             formatJointNoise(fitted.fit.noise, fitted.measurements.hasUnknownSteps()));
-  if (fitted.fit.floorErrorAt2m > 0) {
-    printText("a floor point 2 m ahead will be seen {:.1f} mm off (1 sigma)\n", 1e3 * fitted.fit.floorErrorAt2m);
-  }
   printTask(fitted.fit);
   printEstimates(fitted.model, fitted.fit);
   printShoulders(fitted.model, fitted.fit);

@@ -17,16 +17,14 @@ struct WrongSetUpError : InputError {
   std::vector<WrongSetUp> setUps;
 };
 
-/// Calibrates (`calibrate`), and looks for mistakes of the set-up where the error is that of no robot (`findSetUps`,
-/// `findSlippedCounts`). With any, the result is not to be used, and its sentence is that of a diagnosis. Throws
+/// Calibrates (`calibrate`), and looks for what is wrong with the captures: mistakes of the set-up where the error is
+/// that of no robot (`findSetUps`, `findSlippedCounts`), else an event that explains what the model does not
+/// (`findTransientAnomalies`). With any, the result is not to be used, and its sentence is that of a diagnosis. Throws
 /// WrongSetUpError where no fit is possible and such a mistake explains why, else as `calibrate`.
 CalibrationResult calibrateChecked(const Measurements& measurements, const Model& model,
                                    const CalibrationOptions& options = {});
 
 /// "reversedJoint@elbow", one after the other.
 std::vector<std::string> labelsOf(const std::vector<WrongSetUp>& found);
-
-/// The sentence of captures with these mistakes: "Something is wrong with the captures or the set-up: ...".
-std::string formatWrongSetUps(const std::vector<WrongSetUp>& found);
 
 } // namespace naocal
