@@ -5,6 +5,7 @@
 #include "math/Statistics.hpp"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/normal_distribution.hpp>
 #include <boost/random/uniform_real_distribution.hpp>
@@ -224,6 +225,27 @@ TEST_CASE("no model takes an unknown further than four sigma of its prior") {
     CHECK(model.unknowns.cwiseAbs().maxCoeff() <= threshold::farthest);
   }
   CHECK(window.variance.maxCoeff() > 0.9);
+}
+
+TEST_CASE("explanations by named effects are listed that are likelier than that nothing is missing") {
+  // Proves that the true effects together come first, as in the window, and that nothing is listed where nothing is
+  // missing.
+  LinearProblem problem{3, 6, 9};
+  Eigen::VectorXd truth = Eigen::VectorXd::Zero(9);
+  problem.measure(truth);
+  CHECK(listLikelyEffects(problem.problem(), pixelNoise).empty());
+  truth[4] = 3;
+  truth[7] = -1.5;
+  problem.measure(truth);
+  const auto listed = listLikelyEffects(problem.problem(), pixelNoise);
+  REQUIRE(listed.size() > 1);
+  CHECK(listed.front() == std::vector<std::size_t>{1, 4});
+  const ModelWindow window = searchModelWindow(problem.problem(), pixelNoise);
+  CHECK(window.models.front().members.size() == 2);
+  for (const std::vector<std::size_t>& effects : listed) {
+    CHECK(!effects.empty());
+    CHECK(std::is_sorted(effects.begin(), effects.end()));
+  }
 }
 
 TEST_CASE("where an unknown is left to its prior, effects take up what it would have compensated") {

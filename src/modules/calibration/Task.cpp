@@ -404,8 +404,10 @@ void fillTask(const FittedModel& fitted, const ModelAverage* average, std::optio
   if (!found || (average && !shifts)) {
     if (tolerance) {
       throw InputError{
-          "a tolerance was given, but these captures measure no point to hold against it: expected a board, "
-          "a marker or a place that is touched"};
+          found ? "a tolerance was given, but the likeliest explanation puts the point that it is for behind "
+                  "its camera"
+                : "a tolerance was given, but these captures measure no point to hold against it: expected "
+                  "a board, a marker or a place that is touched"};
     }
     return;
   }

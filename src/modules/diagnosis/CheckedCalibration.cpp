@@ -23,14 +23,18 @@ WeighedCalibration calibrateOrSuspect(const Measurements& measurements, const Mo
   }
 }
 
-/// One-off events that explain what the model leaves.
-std::vector<DataAnomaly> findEvents(const FittedModel& fitted, const Measurements& given,
-                                    const CalibrationOptions& options) {
+/// Accidents that explain what the model leaves.
+std::vector<DataAnomaly> explainByAccidents(const FittedModel& fitted, const Measurements& given,
+                                            const CalibrationOptions& options) {
   if (fitted.fit.verdict == ResultVerdict::good || !options.testMissingEffects) {
     return {};
   }
-  const std::vector<Term> candidates = testableTerms(fitted.measurements, fitted.model, options.effects);
-  return findTransientAnomalies(fitted, {fitted, candidates, {.draws = 0}}, given);
+  try {
+    const std::vector<Term> candidates = testableTerms(fitted.measurements, fitted.model, options.effects);
+    return findAccidents(fitted, {fitted, candidates, {.draws = 0}}, given);
+  } catch (const InputError&) { // no linearisation at this fit
+    return {};
+  }
 }
 
 } // namespace
@@ -42,14 +46,14 @@ CalibrationResult calibrateChecked(const Measurements& measurements, const Model
   if (result.setUps.empty()) {
     result.setUps = findSlippedCounts({measurements, model, result});
   }
-  result.suspicious = result.setUps.empty()
-                          ? findEvents({weighed ? *weighed : measurements, model, result}, measurements, options)
-                          : suspect(result.setUps);
+  result.suspicious = result.setUps.empty() ? explainByAccidents({weighed ? *weighed : measurements, model, result},
+                                                                 measurements, options)
+                                            : suspect(result.setUps);
   if (!result.suspicious.empty()) {
     result.verdict = ResultVerdict::doNotUse;
     result.usable = false;
     result.sentence = formatAnomalies(result.suspicious);
-    result.reasons.insert(result.reasons.begin(), result.sentence);
+    result.reasons.insert(result.reasons.begin(), describeAnomalies(result.suspicious));
   }
   return std::move(result);
 }

@@ -18,8 +18,8 @@ struct WrongSetUpError : InputError {
 };
 
 /// Calibrates (`calibrate`), and looks for what is wrong with the captures: mistakes of the set-up where the error is
-/// that of no robot (`findSetUps`, `findSlippedCounts`), else an event that explains what the model does not
-/// (`findTransientAnomalies`). With any, the result is not to be used, and its sentence is that of a diagnosis. Throws
+/// that of no robot (`findSetUps`, `findSlippedCounts`), else an accident that explains what the model does not
+/// (`findAccidents`). With any, the result is not to be used, and its sentence is that of a diagnosis. Throws
 /// WrongSetUpError where no fit is possible and such a mistake explains why, else as `calibrate`.
 CalibrationResult calibrateChecked(const Measurements& measurements, const Model& model,
                                    const CalibrationOptions& options = {});

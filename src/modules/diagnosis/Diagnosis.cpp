@@ -145,8 +145,7 @@ struct Assessment {
   std::optional<std::size_t> candidate() const { return next ? std::optional{next->candidate} : std::nullopt; }
 };
 
-/// Diagnosis of one model: adds missing effects until the alarm stops, takes back additions that do not hold, and
-/// describes the misfit that is left.
+/// Diagnosis of one model: adds missing effects until the alarm stops, and describes the misfit that is left.
 class ModelDiagnosis {
 public:
   ModelDiagnosis(const Measurements& measurements, const Model& asked, const DiagnosisOptions& options)

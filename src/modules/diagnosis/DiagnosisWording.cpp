@@ -66,17 +66,26 @@ std::string formatTrivial(const Diagnosis& diagnosis) {
   return " " + formatNegligible({first.term.label(), formatSizes(first), first.evidence.movedPx}, diagnosis.unit);
 }
 
+/// Why the result of a model that explains the captures must not be used all the same: what they do not tell.
+std::string findUnlearned(const CalibrationResult& fit) {
+  const auto found = std::find_if(fit.warnings.begin(), fit.warnings.end(), [&](const Warning& warning) {
+    return warning.about == Warning::About::offset &&
+           std::find(fit.reasons.begin(), fit.reasons.end(), warning.sentence) != fit.reasons.end();
+  });
+  return found == fit.warnings.end() ? "" : found->sentence;
+}
+
 std::string formatAdequate(const Diagnosis& diagnosis) {
   const ErrorUnit& unit = diagnosis.unit;
   const std::string trivial = formatTrivial(diagnosis);
-  const std::vector<std::string>& against = diagnosis.fit.reasons;
+  const std::string against = findUnlearned(diagnosis.fit);
   return fmt::format(
       "The model explains these captures: the error is {:.2f} {unit}, the noise floor {:.2f} {unit}.{}{}",
       unit.perPx * diagnosis.rmsPx, unit.perPx * diagnosis.lackOfFit.noiseFloorPx,
       !trivial.empty()
           ? trivial
           : fmt::format(" Pure noise produces a best candidate this strong in {} of cases.", percent(diagnosis.alarm)),
-      against.empty() ? "" : fmt::format(" Do not use this calibration all the same: {}.", against.front()),
+      against.empty() ? "" : fmt::format(" Do not use this calibration all the same: {}.", against),
       fmt::arg("unit", unit.name));
 }
 
@@ -241,18 +250,20 @@ std::string formatDetectable(const CandidateFinding& finding) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-std::string formatAnomalies(const std::vector<DataAnomaly>& anomalies) {
+std::string describeAnomalies(const std::vector<DataAnomaly>& anomalies) {
   std::vector<std::string> setUps;
   for (const DataAnomaly& anomaly : anomalies) {
     if (!anomaly.setUp.empty()) {
       setUps.push_back(anomaly.why);
     }
   }
-  return fmt::format("Something is wrong with the captures or the set-up: {}.",
-                     !setUps.empty() ? fmt::format("{}", fmt::join(setUps, "; and "))
-                     : anomalies.size() > 1
-                         ? fmt::format("{}; and {} more", anomalies.front().why, anomalies.size() - 1)
-                         : anomalies.front().why);
+  return !setUps.empty()        ? fmt::format("{}", fmt::join(setUps, "; and "))
+         : anomalies.size() > 1 ? fmt::format("{}; and {} more", anomalies.front().why, anomalies.size() - 1)
+                                : anomalies.front().why;
+}
+
+std::string formatAnomalies(const std::vector<DataAnomaly>& anomalies) {
+  return fmt::format("Something is wrong with the captures or the set-up: {}.", describeAnomalies(anomalies));
 }
 
 std::string summarize(const Diagnosis& diagnosis) {

@@ -21,7 +21,9 @@ CandidateState shownState(const CandidateFinding& finding, const Diagnosis& diag
 /// Labels of the mistakes of the set-up that it found.
 std::vector<std::string> mendableSetUps(const Diagnosis& diagnosis);
 
-/// The sentence of captures with a wrong set-up; else of the first accident, and how many more.
+/// A clause on what is wrong with the set-up; else on the first accident, and how many more. Requires one.
+std::string describeAnomalies(const std::vector<DataAnomaly>& anomalies);
+/// The same as a sentence.
 std::string formatAnomalies(const std::vector<DataAnomaly>& anomalies);
 /// The diagnosis as one or two sentences.
 std::string summarize(const Diagnosis& diagnosis);

@@ -245,15 +245,22 @@ StepwiseSelection::Nearly StepwiseSelection::fitModelNearly(const Model& model, 
 }
 
 std::optional<StepwiseSelection::Choice> StepwiseSelection::chooseNext(const CandidateTests& candidateTests) {
+  constexpr double accuracy = 0.02; // of the difference of two costs by `fitModelNearly`
   const double before = fitModelNearly(model_, fit_.unknowns).cost;
   for (const std::vector<std::size_t>& effects : proposals_) {
     const std::size_t strongest = *std::max_element(effects.begin(), effects.end(), [&](std::size_t a, std::size_t b) {
       return candidateTests.candidateEvidence(a).bayes < candidateTests.candidateEvidence(b).bayes;
     });
     const Model larger = addSizedTerm(candidateTests, strongest);
+    CandidateFinding& finding = findingOf(candidateTests.candidates()[strongest]);
+    if (!larger.find(finding.term.label())) { // excluded by the user
+      continue;
+    }
     Nearly fit = fitModelNearly(larger, mapParameters(model_, fit_.unknowns, larger));
-    if (fit.cost < before) {
-      findingOf(candidateTests.candidates()[strongest]).chi2Drop = 2 * (before - fit.cost);
+    if (fit.cost < before - accuracy) {
+      if (finding.evidence.bayes == candidateTests.candidateEvidence(strongest).bayes) { // recorded at this step
+        finding.chi2Drop = 2 * (before - fit.cost);
+      }
       return Choice{strongest, std::move(fit.unknowns)};
     }
   }

@@ -59,8 +59,8 @@ private:
   /// Appends the step with its held-out errors.
   void appendStep(const CandidateTests& candidateTests, const std::optional<CrossValidation>& held,
                   Diagnosis& diagnosis);
-  /// Effects that explain together, as indices of candidates, likeliest first: the first few explanations whose
-  /// transient effects predict.
+  /// Effects that explain together, as indices of candidates: the first few explanations, likeliest first, without
+  /// transient effects that do not predict.
   std::vector<std::vector<std::size_t>> listProposals(const CandidateTests& candidateTests) const;
   /// The named effects of the calibration's explanations.
   std::vector<std::vector<std::size_t>> listExplanations(const CandidateTests& candidateTests) const;

@@ -202,12 +202,10 @@ double computeBayesFactor(const Eigen::MatrixXd& information, const Eigen::Vecto
 }
 
 Evidence computeEvidence(const ScoreProblem& problem, const Noise& noise, Eigen::Index draws, std::uint64_t seed) {
-  const PoseResiduals measured = measuredResiduals(*problem.poses);
-  const NullModel alone{problem, noise};
-  const ScoreTest tests{alone};
-  const Eigen::MatrixXd own = alone(measured, problem.priorScore()).own;
-  const ScoredProblem scored{problem, tests, tests.projectedScores(measured, own).col(0)};
-  const Eigen::VectorXd ratio = tests.chi2Decreases(measured, own);
+  const MeasuredTests measured{problem, noise};
+  const ScoreTest& tests = measured.tests;
+  const ScoredProblem scored{problem, tests, measured.scores};
+  const Eigen::VectorXd ratio = tests.chi2Decreases(measuredResiduals(*problem.poses), measured.outcome.own);
   Evidence result;
   for (std::size_t i = 0; i < problem.groups.size(); ++i) {
     GroupEvidence& group = result.groups.emplace_back(describeGroup(scored, i));
@@ -223,7 +221,7 @@ Evidence computeEvidence(const ScoreProblem& problem, const Noise& noise, Eigen:
   if (draws == 0) {
     return result;
   }
-  const std::vector<double> smallest = drawSmallestP(alone, tests, draws, seed);
+  const std::vector<double> smallest = drawSmallestP(measured.alone, tests, draws, seed);
   const double seen = smallestP(problem, tests, ratio);
   const auto as = std::upper_bound(smallest.begin(), smallest.end(), seen) - smallest.begin();
   result.pValue = (1 + static_cast<double>(as)) / (1 + static_cast<double>(smallest.size()));

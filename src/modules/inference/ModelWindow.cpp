@@ -465,25 +465,17 @@ std::vector<std::vector<std::size_t>> listLikelyEffects(const ScoreProblem& prob
   const EffectsOnly effects{problem};
   const MeasuredTests measured{effects.problem(), noise};
   Window window{measured, 0};
-  std::map<std::vector<std::size_t>, double> weights;
-  for (const WindowModel& model : searchModels(window, effects.problem(), noise).models) {
-    std::vector<std::size_t> groups;
+  const WindowModel likeliest = findLikeliest(window);
+  std::vector<WindowModel> models = findNeighbours(window, likeliest);
+  const double none = window.model({}).cost;
+  std::erase_if(models, [&](const WindowModel& model) { return !(model.cost < none); });
+  std::stable_sort(models.begin(), models.end(), isLikelier);
+  std::vector<std::vector<std::size_t>> result;
+  for (const WindowModel& model : models) {
+    std::vector<std::size_t>& groups = result.emplace_back();
     std::transform(model.members.begin(), model.members.end(), std::back_inserter(groups),
                    [](const WindowMember& member) { return member.group; });
     std::sort(groups.begin(), groups.end());
-    weights[groups] += model.weight;
-  }
-  const double none = weights[{}];
-  std::vector<std::pair<double, std::vector<std::size_t>>> likelier;
-  for (const auto& [groups, weight] : weights) {
-    if (weight > none) {
-      likelier.emplace_back(weight, groups);
-    }
-  }
-  std::sort(likelier.rbegin(), likelier.rend());
-  std::vector<std::vector<std::size_t>> result;
-  for (auto& [weight, groups] : likelier) {
-    result.push_back(std::move(groups));
   }
   return result;
 }

@@ -61,11 +61,13 @@ void OwnEstimates::leaveUntold(const NullModel& plain) {
   held_ = alongLeft.matrixL().solve(towards * answers_);
   score_ += held_.transpose() * alongLeft.matrixL().solve(towards * (alone_ - reference_));
 
-  const Eigen::MatrixXd told = Eigen::MatrixXd::Identity(sigmas_.size(), sigmas_.size()) - left * left.transpose(),
-                        toldInUnits = sigmas_.asDiagonal() * told * inverse.asDiagonal();
-  alone_ = reference_ + toldInUnits * (alone_ - reference_);
-  answers_ = toldInUnits * answers_;
-  const Eigen::MatrixXd scaled = told * known * told + left * left.transpose();
+  const Eigen::MatrixXd given = Eigen::MatrixXd::Identity(sigmas_.size(), sigmas_.size()) -
+                                known * left * alongLeft.solve(left.transpose()),
+                        givenInUnits = sigmas_.asDiagonal() * given * inverse.asDiagonal();
+  alone_ = reference_ + givenInUnits * (alone_ - reference_);
+  answers_ = givenInUnits * answers_;
+  Eigen::MatrixXd scaled = given * known + left * left.transpose();
+  scaled = 0.5 * (scaled + scaled.transpose()).eval();
   covariance_ = sigmas_.asDiagonal() * scaled * sigmas_.asDiagonal();
   const SymmetricEigen axes = symmetricEigen(scaled);
   directions_ = axes.vectors;

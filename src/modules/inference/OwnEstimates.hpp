@@ -47,9 +47,9 @@ struct UnnoticedBiases {
 ///   K = H / phi + Lambda,  B = K^-1 H_og / phi,  x = x_alone - B c,  C = K^-1 + B (S + diag(w)^-2)^-1 B^T.
 ///
 /// Two rules keep linear steps where they hold. Both work in units of the priors' sigmas and leave directions D of x to
-/// their priors: value of the linearisation point, variance 1. The coefficients are conditioned on that, or they would
-/// keep what these directions compensate: with V the covariance along D and a = D^T (x_alone - x_0),
-///   S -> S + B_D^T V^-1 B_D,  score -> score + B_D^T V^-1 a.
+/// their priors: value of the linearisation point x_0, variance 1. All else is conditioned on x = x_0 along D, or
+/// coefficients would keep what these directions compensate: with V = D^T C D, a = D^T (x_alone - x_0), B_D = D^T B,
+///   S -> S + B_D^T V^-1 B_D,  score -> score + B_D^T V^-1 a,  C -> C - C D V^-1 D^T C + D D^T.
 /// * Directions that the captures do not tell, with information below `threshold::untold` while all coefficients are
 ///   zero: adding unknowns adds no information about others. Derivatives at other coefficients can pretend some, as
 ///   where an eccentricity's phase moves with a joint's offset.

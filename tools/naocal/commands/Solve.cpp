@@ -7,6 +7,7 @@
 #include "calibration/result/Verdict.hpp"
 #include "command-line/OptionChecks.hpp"
 #include "diagnosis/CheckedCalibration.hpp"
+#include "diagnosis/anomalies/DataChecks.hpp"
 #include "dialects/ModelCalibration.hpp"
 #include "estimation/ModelBuilder.hpp"
 #include "estimation/ModelFile.hpp"
@@ -64,11 +65,16 @@ void printMending(const std::vector<WrongSetUp>& setUps, const GivenOptions& asI
 
 /// The result of captures that cannot be fitted as they are: what is wrong with them, and no estimates.
 nlohmann::json unfittedJson(const WrongSetUpError& error, const ResultSources& inputs) {
+  nlohmann::json suspicious = nlohmann::json::array();
+  for (const DataAnomaly& anomaly : suspect(error.setUps)) {
+    suspicious.push_back(anomalyJson(anomaly));
+  }
   return withFormat("naocal-result", {{"converged", false},
                                       {"verdict", toString(ResultVerdict::doNotUse)},
                                       {"usable", false},
                                       {"sentence", error.what()},
                                       {"setUps", setUpsJson(error.setUps)},
+                                      {"suspicious", std::move(suspicious)},
                                       {"warnings", nlohmann::json::array()},
                                       {"effects", nlohmann::json::array()},
                                       {"placements", nlohmann::json::object()},

@@ -124,25 +124,35 @@ void warnOfHeldOffsets(const Model& model, const HeldOffsets& held, CalibrationR
   }
 }
 
+bool isLikelyBeyondTolerance(const CalibrationResult& result) {
+  return result.task && result.task->sigma > result.task->tolerance;
+}
+
+/// What brings an error within the tolerance.
+const char* adviseForTask(bool missing) {
+  return missing ? "add the effect that is missing" : "take more poses";
+}
+
 /// Forbids results whose error is likely beyond the tolerance.
-void checkTask(CalibrationResult& result) {
-  if (result.task && !result.task->isGiven && result.task->sigma > result.task->tolerance) {
-    forbid(
-        About::floor,
-        {fmt::format("{}: the error, {} (1 sigma), is beyond the tolerance of {}: take more poses or more boards",
-                     result.task->what, formatSize(result.task->sigma, "m"), formatSize(result.task->tolerance, "m"))},
-        result);
+void checkTask(bool missing, CalibrationResult& result) {
+  if (isLikelyBeyondTolerance(result) && !result.task->isGiven) {
+    forbid(About::floor,
+           {fmt::format("{}: the error, {} (1 sigma), is beyond the tolerance of {}: {}", result.task->what,
+                        formatSize(result.task->sigma, "m"), formatSize(result.task->tolerance, "m"),
+                        adviseForTask(missing))},
+           result);
   }
 }
 
 /// The sentence about a bound beyond the tolerance, if it is. `isGiven`: of a tolerance that the user gave.
 std::vector<std::string> describeBound(bool isGiven, bool missing, const CalibrationResult& result) {
-  if (!isBeyondTolerance(result) || result.task->isGiven != isGiven) {
+  if (!isBeyondTolerance(result) || result.task->isGiven != isGiven ||
+      (!isGiven && isLikelyBeyondTolerance(result))) { // said already
     return {};
   }
   return {fmt::format("{}: the bound of the error, {} (99.95 %), is beyond the tolerance of {}: {}", result.task->what,
                       formatSize(result.task->bound, "m"), formatSize(result.task->tolerance, "m"),
-                      missing ? "add the effect that is missing" : "take more poses")};
+                      adviseForTask(missing))};
 }
 
 /// Warns of doubtful measurements of one kind: "corner", "reading".
@@ -184,7 +194,7 @@ std::string formatCause(const CalibrationResult& result, bool missing) {
   }
   const Explanation& likeliest = result.explanations.front();
   return fmt::format("most probable: {}{}{} (posterior probability {:.0f} % among the models considered)",
-                     fmt::join(likeliest.effects, " and "), likeliest.without.empty() ? "" : " instead of ",
+                     joinWords(describeMissing(likeliest.effects)), likeliest.without.empty() ? "" : " instead of ",
                      fmt::join(likeliest.without, " and "), 100 * likeliest.weight);
 }
 
@@ -230,12 +240,12 @@ void judgeResult(const Measurements& measurements, const Model& model, Calibrati
   const bool isCertain = !result.usable;
   const HeldOffsets held = findHeldOffsets({measurements, model, result});
   forbid(About::offset, listUndetermined({measurements, model, result}, held), result);
-  checkTask(result);
   const DisplacedBoardCount displaced{measurements, result.outliers};
-  const bool missing =
-      (result.pValue <= threshold::alarm && result.matters) || !result.sharedCauses.empty() || displaced.areMany();
+  const bool missing = (result.pValue <= threshold::alarm && result.matters) || !result.sharedCauses.empty();
+  checkTask(missing, result);
   forbid(About::floor, describeBound(true, missing, result), result);
-  result.verdict = result.usable ? judgeExplained(model, result, held, missing) : ResultVerdict::doNotUse;
+  result.verdict =
+      result.usable ? judgeExplained(model, result, held, missing || displaced.areMany()) : ResultVerdict::doNotUse;
   // reports a missing effect before what is not learned: it implies that the offsets are uncertain
   const std::string cause = formatCause(result, missing);
   const bool isFirm = !result.usable && (isCertain || !missing);

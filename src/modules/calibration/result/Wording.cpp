@@ -9,7 +9,6 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <iterator>
 #include <map>
 #include <span>
 
@@ -50,18 +49,11 @@ std::string direction(const std::string& unknown) {
   return word == words.end() ? unknown : word->second;
 }
 
-/// "elasticity@LKneePitch", "a curve of LKneePitch over q", "a motion of Torso".
-std::string describeMissing(const std::string& label) {
-  return label.find('@') != label.npos        ? label
-         : label.find(" over ") != label.npos ? "a curve of " + label
-                                              : "a motion of " + label;
-}
-
 /// What an explanation adds to the model and takes from it: "elasticity@LKneePitch is missing and backlash@LKneePitch
 /// is not there".
 std::string formatExplanation(const std::vector<std::string>& effects, const std::vector<std::string>& without) {
-  std::vector<std::string> missing, parts;
-  std::transform(effects.begin(), effects.end(), std::back_inserter(missing), describeMissing);
+  const std::vector<std::string> missing = describeMissing(effects);
+  std::vector<std::string> parts;
   if (!missing.empty()) {
     parts.push_back(joinWords(missing) + (missing.size() == 1 ? " is missing" : " are missing"));
   }
@@ -72,6 +64,16 @@ std::string formatExplanation(const std::vector<std::string>& effects, const std
 }
 
 } // namespace
+
+std::vector<std::string> describeMissing(const std::vector<std::string>& labels) {
+  std::vector<std::string> result;
+  for (const std::string& label : labels) {
+    result.push_back(label.find('@') != label.npos        ? label
+                     : label.find(" over ") != label.npos ? "a curve of " + label
+                                                          : "a motion of " + label);
+  }
+  return result;
+}
 
 std::string describeUnknown(const Term& term, std::size_t unknown) {
   const std::string& name = term.effect.unknowns[unknown].name;

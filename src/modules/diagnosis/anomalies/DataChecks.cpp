@@ -49,9 +49,12 @@ std::vector<DataAnomaly> suspect(const std::vector<WrongSetUp>& setUps) {
 
 std::vector<DataAnomaly> findAnomalies(const FittedModel& fitted, const CandidateTests& candidateTests,
                                        const Measurements& given) {
-  if (const auto setUps = findSetUps(fitted); !setUps.empty()) {
-    return suspect(setUps);
-  }
+  const auto setUps = findSetUps(fitted);
+  return setUps.empty() ? findAccidents(fitted, candidateTests, given) : suspect(setUps);
+}
+
+std::vector<DataAnomaly> findAccidents(const FittedModel& fitted, const CandidateTests& candidateTests,
+                                       const Measurements& given) {
   GrossMisfit misfit = GrossMisfit::assess(fitted.fit);
   if (misfit.rmsPx > threshold::impossiblePx) {
     misfit.explainedPx = rmsBesideLikeliest(candidateTests, fitted.measurements, fitted.model);

@@ -14,6 +14,10 @@ std::vector<DataAnomaly> suspect(const std::vector<WrongSetUp>& setUps);
 std::vector<DataAnomaly> findAnomalies(const FittedModel& fitted, const CandidateTests& candidateTests,
                                        const Measurements& given);
 
+/// The accidents alone: something that was moved far, or an event.
+std::vector<DataAnomaly> findAccidents(const FittedModel& fitted, const CandidateTests& candidateTests,
+                                       const Measurements& given);
+
 /// Why no fit of this model is possible: a mistake of the set-up, or a robot or board that was moved far.
 std::vector<DataAnomaly> findGrossAnomalies(const Measurements& measurements, const Model& model);
 
