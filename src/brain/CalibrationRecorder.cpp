@@ -50,7 +50,7 @@ CalibrationRecorder::Solution CalibrationRecorder::solve() const {
   const Measurements measurements = buildMeasurements(sets, drawing_);
   const auto [asked, leftOut] = reduceModel(measurements, model_);
   const Model model = buildModel(measurements, asked.with, asked.without, asked.effects);
-  const CalibrationResult result = calibrateChecked(measurements, model);
+  const CalibrationResult result = calibrateChecked(measurements, model, {.effects = asked.effects});
   const ResultSources inputs{{"."}, {sha256(readFile(folder_ / "captures.json"))}, {set_.name}}; // beside the result
   writeAtomically(folder_ / "result.json", resultJson({measurements, model, result}, inputs).dump(2) + "\n");
   if (!result.converged) {
@@ -84,7 +84,7 @@ std::string CalibrationRecorder::diagnose() const {
   DiagnosisOptions options;
   options.with = asked.with;
   options.without = asked.without;
-  options.effects = asked.effects;
+  options.calibration.effects = asked.effects;
   const Diagnosis diagnosis = naocal::diagnose(measurements, options);
   writeAtomically(folder_ / "diagnosis.json", diagnosisJson(diagnosis).dump(2) + "\n");
   return diagnosis.sentence;

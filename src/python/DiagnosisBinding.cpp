@@ -57,15 +57,15 @@ DiagnosisOptions readOptions(const Keywords& given, const Robot& robot) {
   DiagnosisOptions options;
   given.take("effects", options.with);
   given.take("without", options.without);
-  given.take("seed", options.candidateTests.seed);
-  given.take("draws", options.candidateTests.draws, Eigen::Index{19}, Eigen::Index{100'000});
+  given.take("seed", options.calibration.candidateTests.seed);
+  given.take("draws", options.calibration.candidateTests.draws, Eigen::Index{19}, Eigen::Index{100'000});
   std::filesystem::path path;
   given.take("model", path);
   if (!path.empty()) {
     ModelFile file = readModelFile(path, robot);
     options.with.insert(options.with.end(), file.with.begin(), file.with.end());
     options.without.insert(options.without.end(), file.without.begin(), file.without.end());
-    options.effects = std::move(file.effects);
+    options.calibration.effects = std::move(file.effects);
   }
   return options;
 }
@@ -85,8 +85,8 @@ SharedDiagnosed diagnoseCaptures(const std::shared_ptr<Captures>& captures, cons
   };
   return call.run([&] {
     Diagnosis diagnosis = diagnose(measurements, options);
-    NextPoses next =
-        proposeSceneNextPoses(measurements, diagnosis, options, {.count = count, .seed = options.candidateTests.seed});
+    NextPoses next = proposeSceneNextPoses(measurements, diagnosis, options,
+                                           {.count = count, .seed = options.calibration.candidateTests.seed});
     call.report(most, most);
     return std::make_shared<Diagnosed>(Diagnosed{captures, std::move(diagnosis), std::move(next)});
   });

@@ -62,7 +62,8 @@ CalibrationOptions readOptions(const Keywords& given) {
   return options;
 }
 
-Model readModel(const Keywords& given, const Measurements& measurements) {
+/// The model that was asked for. `candidates`: receives the effects of a model file, if one is given.
+Model readModel(const Keywords& given, const Measurements& measurements, std::vector<Effect>& candidates) {
   std::vector<std::string> effects, without;
   given.take("effects", effects);
   given.take("without", without);
@@ -74,13 +75,14 @@ Model readModel(const Keywords& given, const Measurements& measurements) {
   ModelFile file = readModelFile(path, measurements.robot);
   file.with.insert(file.with.end(), effects.begin(), effects.end());
   file.without.insert(file.without.end(), without.begin(), without.end());
-  return buildModel(measurements, file.with, file.without, file.effects);
+  candidates = std::move(file.effects);
+  return buildModel(measurements, file.with, file.without, candidates);
 }
 
 SharedSolved solve(const std::shared_ptr<Captures>& captures, const py::kwargs& keywords) {
   const Keywords given{keywords};
-  const CalibrationOptions options = readOptions(given);
-  Model model = readModel(given, captures->measurements);
+  CalibrationOptions options = readOptions(given);
+  Model model = readModel(given, captures->measurements, options.effects);
   LongCall call{given.object("progress")};
   return call.run([&] {
     CalibrationResult fit = calibrateChecked(captures->measurements, model, options);

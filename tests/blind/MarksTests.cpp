@@ -95,11 +95,9 @@ TEST_CASE("outside the catalogue the word, the joint and the driver must be righ
   CHECK_FALSE(marked("LKneePitch", "q"));
 }
 
-TEST_CASE(
-    "a result is wrongly usable with an offset beyond 3.5 of its sigmas, and intervals are those that people see") {
-  // Proves the marks for offsets: wrongly usable and coverage, before and after adding the suggestions; the averaged
-  // interval takes precedence; unlearned offsets and unusable results do not count; rms relative to the fit with fixed
-  // noise.
+TEST_CASE("offsets count by the intervals and bounds that people see") {
+  // Proves the marks for offsets: beyond the bound and coverage, before and after adding the suggestions; averages take
+  // precedence; unlearned offsets do not count; rms relative to the fit with fixed noise.
   json truth = truthOf("s1", "catalogue", json::array({knee(40)}));
   truth["offsets"] = {{"LKneePitch", 0.01}, {"LHipPitch", 0.02}};
   json said = diagnosis("effect-missing");
@@ -113,20 +111,23 @@ TEST_CASE(
     bench.add(truth, said, json::object(), solved);
     return bench.marked();
   };
-  CHECK(marked().wronglyUsable == true);
-  CHECK(marked().offsetsInside == std::vector<bool>{false});
-  CHECK(marked().wronglyUsableAfter == false);
-  CHECK(marked().offsetsInsideAfter == std::vector<bool>{true});
+  CHECK(marked().given.usableBeyond == true);
+  CHECK(marked().given.inside == std::vector<bool>{false});
+  CHECK(marked().given.widths.at(0) == Approx(1)); // without a bound: 3.5 sigma
+  CHECK(marked().added.usableBeyond == false);
+  CHECK(marked().added.inside == std::vector<bool>{true});
   CHECK(*marked().rmsRatio == Approx(1.2));
   CHECK(marked().extraNamed == true);
   solved["solved"]["effects"][0]["unknowns"]["o"]["averaged"] = {
-      {"value", 0.0125}, {"sigma", 0.002}, {"interval", {0.009, 0.018}}};
-  CHECK(marked().offsetsInside == std::vector<bool>{true});
-  CHECK(marked().wronglyUsable == false);
+      {"value", 0.0125}, {"sigma", 0.0005}, {"interval", {0.009, 0.018}}, {"bound", {0.0095, 0.02}}};
+  CHECK(marked().given.inside == std::vector<bool>{true});
+  CHECK(marked().given.usableBeyond == false); // 5 sigmas off, but within the bound
+  CHECK(marked().given.widths.at(0) == Approx(3));
   solved["solved"] = solvedKnee(0.014, 0.001, false);
-  CHECK_FALSE(marked().wronglyUsable.has_value());
+  CHECK_FALSE(marked().given.usableBeyond.has_value());
+  CHECK(marked().given.beyond == true);
   solved["solved"]["effects"][0]["unknowns"]["o"]["learned"] = 0.1;
-  CHECK(marked().offsetsInside.empty());
+  CHECK(marked().given.inside.empty());
 }
 
 TEST_CASE("an event counts as timed between the readings around it, by words or by a number") {

@@ -1,6 +1,8 @@
 #include "calibration/Calibration.hpp"
 
 #include "TemporaryFolder.hpp"
+#include "calibration/Initialization.hpp"
+#include "calibration/Outliers.hpp"
 #include "calibration/Prediction.hpp"
 #include "calibration/Uncertainty.hpp"
 #include "estimation/ModelBuilder.hpp"
@@ -45,6 +47,20 @@ TEST_CASE("shuffled captures give the same answer to the last digit") {
   const CalibrationResult a = calibrate(made.measurements, made.model), b = calibrate(other, buildModel(other));
   CHECK(a.unknowns == b.unknowns);
   CHECK(a.covariance == b.covariance);
+}
+
+TEST_CASE("a board whose views were all set aside does not spoil the placements") {
+  // Proves that views without weight are no sights to place a board by.
+  Made made;
+  for (std::size_t picture = 0; picture < made.measurements.pictures.size(); ++picture) {
+    for (std::size_t i = 0; i < made.measurements.pictures[picture].observations.size(); ++i) {
+      if (made.measurements.pictures[picture].observations[i].view.board() == 0) {
+        excludeObservation(made.measurements, {picture, i});
+      }
+    }
+  }
+  const Eigen::VectorXd start = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(made.model.unknownCount()));
+  CHECK(initializePlacements(made.measurements, made.model, start).allFinite());
 }
 
 TEST_CASE("stances that hold only later samples of a pose are aligned before the search too") {

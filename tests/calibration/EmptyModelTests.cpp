@@ -88,7 +88,7 @@ TEST_CASE("the window of explanations survives models without unknowns, candidat
   const Residuals residuals{measurements, model, noise, {}};
   const FittedPoint point{residuals.startState(Eigen::VectorXd::Zero(eigenIndex(model.unknownCount()))), noise, {}};
   const WideModel wide{measurements, model, {}, point, curves};
-  const ModelWindow window = searchModelWindow(wide.problem(), noise);
+  const ModelWindow window = searchModelWindow({wide.problem(), noise});
   REQUIRE_FALSE(window.models.empty());
   CHECK(window.mean.size() == eigenIndex(model.unknownCount()));
   CHECK(window.groupWeights.size() == wide.problem().groups.size());
@@ -117,9 +117,9 @@ TEST_CASE("a model that lies a billion pixels off is still the likeliest of its 
   const FittedPoint point{residuals.startState(Eigen::VectorXd::Zero(eigenIndex(model.unknownCount()))), noise, {}};
   const WideModel wide{measurements, model, {}, point, true};
   if (far < 1e100) {
-    CHECK_FALSE(searchModelWindow(wide.problem(), noise).models.empty());
+    CHECK_FALSE(searchModelWindow({wide.problem(), noise}).models.empty());
   } else {
-    CHECK_THROWS_WITH(searchModelWindow(wide.problem(), noise), Catch::StartsWith("the misfit is no finite number"));
+    CHECK_THROWS_WITH(searchModelWindow({wide.problem(), noise}), Catch::StartsWith("the misfit is no finite number"));
   }
 }
 

@@ -181,8 +181,8 @@ TEST_CASE("where the alarm stands but nothing is likely, a diagnosis does not ca
   // raises an alarm; with few candidates and no hidden effect, rarely is one of them likely.
   DiagnosisOptions options;
   options.alarm = 1;
-  options.candidateTests.map = false;
-  std::erase_if(options.effects, [](const Effect& effect) {
+  options.calibration.candidateTests.map = false;
+  std::erase_if(options.calibration.effects, [](const Effect& effect) {
     return !effect.inBaseModel && effect.name != "soleTilt" && effect.name != "hysteresis";
   });
   int inconclusive = 0;

@@ -184,7 +184,7 @@ TEST_CASE("a ripple that no effect describes is located and drawn", "[slow]") {
   CHECK(own["unknowns"]["a"]["unit"] == "rad");
   const Robot robot = loadRobot(configurationDirectory(), set.model);
   DiagnosisOptions withIt;
-  withIt.effects = parseEffects(nlohmann::json::array({own}), "own", robot);
+  withIt.calibration.effects = parseEffects(nlohmann::json::array({own}), "own", robot);
   withIt.with = {own["name"].get<std::string>() + "@LKneePitch"};
   const Diagnosis explained = diagnose(buildMeasurements({set}, robot), withIt);
   CHECK(explained.verdict == Verdict::adequate);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "SimulatedSets.hpp"
-#include "diagnosis/evidence/CandidateTests.hpp"
+#include "calibration/Calibration.hpp"
 #include "estimation/CandidateTerms.hpp"
 #include "estimation/ModelBuilder.hpp"
 

@@ -73,7 +73,7 @@ TEST_CASE("evidence, misfit and noise levels survive a problem that lacks unknow
   const SmallProblem small{counts};
   const ScoreProblem& problem = small.problem();
   const Noise noise{.pixel = 0.3, .encoder = 4e-4, .pose = 0};
-  const Evidence evidence = computeEvidence(problem, noise, 40, 1);
+  const Evidence evidence = computeEvidence({problem, noise}, 40, 1);
   CHECK(evidence.groups.size() == problem.groups.size());
   CHECK(std::isfinite(evidence.pValue));
   CHECK(std::isfinite(evidence.criticalP));
@@ -97,7 +97,7 @@ TEST_CASE("a group without columns has no evidence") {
   ScoreProblem problem = small.problem();
   problem.groups.push_back({.first = 4, .count = 0});
   problem.named = problem.groups.size();
-  const Evidence evidence = computeEvidence(problem, {.pixel = 0.3, .encoder = 4e-4, .pose = 0}, 20, 1);
+  const Evidence evidence = computeEvidence({problem, {.pixel = 0.3, .encoder = 4e-4, .pose = 0}}, 20, 1);
   CHECK(evidence.groups.back().bayes == 0);
   CHECK(evidence.groups.back().pValue == 1);
   CHECK(std::isfinite(evidence.pValue));

@@ -92,7 +92,7 @@ TEST_CASE("p-values of a complete model whose scatter is estimated as zero are u
     drawn.measure(truth);
     const Noise noise = estimateNoiseLevels(drawn.problem(), truth, {}, {}).noise;
     if (noise.pose == 0) {
-      atBoundary.push_back(computeEvidence(drawn.problem(), noise, 199, seed).pValue);
+      atBoundary.push_back(computeEvidence({drawn.problem(), noise}, 199, seed).pValue);
     }
   }
   CHECK(atBoundary.size() > sets / 2);

@@ -140,7 +140,7 @@ TEST_CASE("an average over models is the one that solving every model by itself 
     Eigen::VectorXd truth = problem.draw(13, 1);
     truth.tail(6).setZero();
     problem.measure(truth, seed % 2 == 0 ? 0 : 0.3 * static_cast<double>(seed));
-    const ModelWindow window = searchModelWindow(problem.problem(), pixelNoise);
+    const ModelWindow window = searchModelWindow({problem.problem(), pixelNoise});
     Eigen::VectorXd mean = Eigen::VectorXd::Zero(5), squares = mean;
     for (const WindowModel& model : window.models) {
       const BruteForce exact = solve(problem, model, window.misfit);
@@ -170,7 +170,7 @@ TEST_CASE("models stay in the window down to a hundred thousandth of the likelie
   Eigen::VectorXd truth = Eigen::VectorXd::Zero(8);
   truth[2] = 1.1;
   problem.measure(truth);
-  const ModelWindow window = searchModelWindow(problem.problem(), pixelNoise);
+  const ModelWindow window = searchModelWindow({problem.problem(), pixelNoise});
   const double least = window.models.back().weight / window.models.front().weight;
   CHECK(least < 1e-3);
   CHECK(least >= 1e-5);
@@ -201,7 +201,7 @@ TEST_CASE("a direction that only its prior holds keeps the fitted value and the 
     truth << 0, 0, 0.3, -0.2, 50, 0, 0, 0, 0;
     problem.measure(truth, pretends ? 40 : 20);
     problem.problem().plain = &plain;
-    const ModelWindow window = searchModelWindow(problem.problem(), pixelNoise);
+    const ModelWindow window = searchModelWindow({problem.problem(), pixelNoise});
     CHECK(window.misfit > 100);
     CHECK(std::abs(window.mean[0]) < 1e-3);
     CHECK(std::sqrt(window.variance[0]) == Approx(0.1).epsilon(0.01));
@@ -209,7 +209,7 @@ TEST_CASE("a direction that only its prior holds keeps the fitted value and the 
     CHECK(low < 0);
     CHECK(high > 0);
     problem.problem().plain = nullptr;
-    CHECK((std::abs(searchModelWindow(problem.problem(), pixelNoise).mean[0]) > 0.01) == pretends);
+    CHECK((std::abs(searchModelWindow({problem.problem(), pixelNoise}).mean[0]) > 0.01) == pretends);
   }
 }
 
@@ -220,7 +220,7 @@ TEST_CASE("no model takes an unknown further than four sigma of its prior") {
   Eigen::VectorXd truth = Eigen::VectorXd::Zero(7);
   truth << 9, 0.2, -0.3, 3, 0, 0, 0; // nine prior sigmas: impossible, unless the model is wrong
   problem.measure(truth);
-  const ModelWindow window = searchModelWindow(problem.problem(), pixelNoise);
+  const ModelWindow window = searchModelWindow({problem.problem(), pixelNoise});
   for (const WindowModel& model : window.models) {
     CHECK(model.unknowns.cwiseAbs().maxCoeff() <= threshold::farthest);
   }
@@ -228,23 +228,28 @@ TEST_CASE("no model takes an unknown further than four sigma of its prior") {
 }
 
 TEST_CASE("explanations by named effects are listed that are likelier than that nothing is missing") {
-  // Proves that the true effects together come first, as in the window, and that nothing is listed where nothing is
-  // missing.
+  // Proves that the true effects together come first, as in the window, that nothing is listed where nothing is
+  // missing, and no effect that is excluded.
   LinearProblem problem{3, 6, 9};
   Eigen::VectorXd truth = Eigen::VectorXd::Zero(9);
   problem.measure(truth);
-  CHECK(listLikelyEffects(problem.problem(), pixelNoise).empty());
+  CHECK(listLikelyEffects({problem.problem(), pixelNoise}).empty());
   truth[4] = 3;
   truth[7] = -1.5;
   problem.measure(truth);
-  const auto listed = listLikelyEffects(problem.problem(), pixelNoise);
+  const auto listed = listLikelyEffects({problem.problem(), pixelNoise});
   REQUIRE(listed.size() > 1);
-  CHECK(listed.front() == std::vector<std::size_t>{1, 4});
-  const ModelWindow window = searchModelWindow(problem.problem(), pixelNoise);
+  CHECK(listed.front().groups == std::vector<std::size_t>{1, 4});
+  const ModelWindow window = searchModelWindow({problem.problem(), pixelNoise});
   CHECK(window.models.front().members.size() == 2);
-  for (const std::vector<std::size_t>& effects : listed) {
-    CHECK(!effects.empty());
-    CHECK(std::is_sorted(effects.begin(), effects.end()));
+  CHECK(listed.front().evidence > listed[1].evidence);
+  for (const LikelyEffects& effects : listLikelyEffects({problem.problem(), pixelNoise}, {1})) {
+    CHECK(std::count(effects.groups.begin(), effects.groups.end(), std::size_t{1}) == 0);
+  }
+  CHECK(listed.back().evidence > 0);
+  for (const LikelyEffects& effects : listed) {
+    CHECK(!effects.groups.empty());
+    CHECK(std::is_sorted(effects.groups.begin(), effects.groups.end()));
   }
 }
 
@@ -258,7 +263,7 @@ TEST_CASE("where an unknown is left to its prior, effects take up what it would 
   Eigen::VectorXd truth(3);
   truth << 40, -31, 0;
   problem.measure(truth);
-  const ModelWindow window = searchModelWindow(problem.problem(), pixelNoise);
+  const ModelWindow window = searchModelWindow({problem.problem(), pixelNoise});
   int held = 0;
   for (const WindowModel& model : window.models) {
     if (model.members.size() == 1 && model.members.front().group == 0 && model.unknowns[0] == 0) {
@@ -301,7 +306,7 @@ TEST_CASE("intervals of 95 % hold the truth in as many of drawn problems, bounds
       truth[which] = width * problem.draw(1, 1)(0, 0);
     }
     problem.measure(truth);
-    const ModelWindow window = searchModelWindow(problem.problem(), pixelNoise);
+    const ModelWindow window = searchModelWindow({problem.problem(), pixelNoise});
     for (Eigen::Index i = 0; i < own; ++i) {
       const StudentMixture mixture{window.along(Eigen::VectorXd::Unit(own, i), Eigen::VectorXd::Zero(candidates)),
                                    window.misfit > 1 ? window.freedom : 1e6};
@@ -328,7 +333,7 @@ TEST_CASE("what may bias an answer unnoticed is an effect that hides behind an u
     pose.byUnknowns.col(2) = pose.byUnknowns.col(0) + 0.05 * pose.byUnknowns.col(2);
   }
   problem.measure(Eigen::VectorXd::Zero(5));
-  const ModelWindow window = searchModelWindow(problem.problem(), pixelNoise);
+  const ModelWindow window = searchModelWindow({problem.problem(), pixelNoise});
   REQUIRE(window.models.front().members.empty());
   REQUIRE(window.undetected.size() == 3);
   const Eigen::MatrixXd jacobian = problem.jacobian();
@@ -352,7 +357,7 @@ TEST_CASE("what an unnoticed effect shifts includes the effects that the model h
   Eigen::VectorXd truth = Eigen::VectorXd::Zero(5);
   truth[2] = 3;
   problem.measure(truth);
-  const ModelWindow window = searchModelWindow(problem.problem(), pixelNoise);
+  const ModelWindow window = searchModelWindow({problem.problem(), pixelNoise});
   const WindowModel& likeliest = window.models.front();
   REQUIRE(likeliest.members.size() == 1);
   REQUIRE(likeliest.members.front().group == 0);

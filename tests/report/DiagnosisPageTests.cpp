@@ -123,7 +123,7 @@ TEST_CASE("only drivers that were recorded and varied are offered") {
     capture.joints.approach.clear();
   }
   DiagnosisOptions quick;
-  quick.candidateTests.draws = 0;
+  quick.calibration.candidateTests.draws = 0;
   const json without = diagnosisJson(diagnose(buildMeasurements({bare}, robot), quick));
   for (const json& driver : without["recorded"]) {
     CHECK(driver["driver"] != "T");

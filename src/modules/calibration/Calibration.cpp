@@ -11,6 +11,7 @@
 #include "calibration/Task.hpp"
 #include "calibration/Uncertainty.hpp"
 #include "calibration/result/Verdict.hpp"
+#include "estimation/CandidateTerms.hpp"
 #include "io/InputError.hpp"
 
 #include <algorithm>
@@ -180,7 +181,7 @@ std::vector<Explanation> nameExplanations(std::vector<Explanation> explanations)
   return explanations;
 }
 
-/// Fills the result's averages, explanations, remaining misfit, scatter and p-value from the analysis.
+/// Fills the result's averages, explanations, remaining misfit and scatter from the analysis.
 void fillExplanations(const MissingEffectAnalysis& explained, const ModelAverage& average, const Model& model,
                       CalibrationResult& result) {
   const Eigen::VectorXd sigmas = model.sigmas();
@@ -192,9 +193,6 @@ void fillExplanations(const MissingEffectAnalysis& explained, const ModelAverage
   result.explanations = nameExplanations(average.explanations());
   result.misfitLeft = explained.window.misfit;
   result.scatter = explained.levels.scatter;
-  result.pValue = explained.pValue;
-  result.matters = explained.matters;
-  result.negligible = explained.negligible;
 }
 
 /// Measurements as given, at full weight, and as the likeliest explanation weighs them.
@@ -202,9 +200,11 @@ struct WeighedMeasurements {
   const Measurements &given, &used;
 };
 
-/// The result at the final noise levels and weights.
-CalibrationResult conclude(const WeighedMeasurements& measurements, const Model& model,
-                           const CalibrationOptions& options, NoiseConsistentFit& answer) {
+/// The result at the final noise levels and weights, and the tests of its fit if they were asked for.
+std::pair<CalibrationResult, std::shared_ptr<const CandidateTests>> conclude(const WeighedMeasurements& measurements,
+                                                                             const Model& model,
+                                                                             const CalibrationOptions& options,
+                                                                             NoiseConsistentFit& answer) {
   const Measurements& used = measurements.used;
   answer.fit = fitAtFullWeight(used, model, answer);
   const std::optional<Model> wider = widenPriors(model, answer.fit);
@@ -216,9 +216,12 @@ CalibrationResult conclude(const WeighedMeasurements& measurements, const Model&
   result.noiseSource = answer.source == NoiseSource::repeats ? "repeats" : "configured";
   result.restartsTried = options.restarts;
   std::optional<ModelAverage> average;
+  std::shared_ptr<const CandidateTests> tests;
   if (answer.explained) {
     answer.explained->fit = answer.fit;
-    testCompleteness(used, model, options, *answer.explained);
+    tests = std::make_shared<const CandidateTests>(FittedModel{used, model, result},
+                                                   testableTerms(used, model, options.effects), options.candidateTests);
+    fillCompleteness(*tests, used.robot, result);
     average.emplace(*answer.explained, model);
     fillExplanations(*answer.explained, *average, model, result);
   }
@@ -228,7 +231,7 @@ CalibrationResult conclude(const WeighedMeasurements& measurements, const Model&
     estimateBoardMoves(measurements.given, believed, answer.fit, result);
   }
   judgeResult(used, believed, result);
-  return result;
+  return {std::move(result), std::move(tests)};
 }
 
 } // namespace
@@ -265,9 +268,9 @@ WeighedCalibration calibrateWeighing(const Measurements& measurements, const Mod
     answer = fitWithNoise(measurements, model, whole, fitInitially(measurements, model, options.noise, whole));
     answer.causes = std::move(causes);
   }
-  CalibrationResult result = conclude({measurements, weighed ? *weighed : measurements}, model, options, answer);
+  auto [result, tests] = conclude({measurements, weighed ? *weighed : measurements}, model, options, answer);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  return {std::move(result), std::move(weighed)};
+  return {std::move(result), std::move(weighed), std::move(tests)};
 }
 
 } // namespace naocal

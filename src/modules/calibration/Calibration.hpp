@@ -1,6 +1,9 @@
 #pragma once
 
-#include "calibration/result/CalibrationResult.hpp"
+#include "calibration/CandidateTests.hpp"
+
+#include <memory>
+#include <optional>
 
 namespace naocal {
 
@@ -13,7 +16,8 @@ CalibrationResult calibrate(const Measurements& measurements, const Model& model
 /// A calibration, and the measurements as it weighs them.
 struct WeighedCalibration {
   CalibrationResult result;
-  std::optional<Measurements> weighed; // absent: all at full weight
+  std::optional<Measurements> weighed;         // absent: all at full weight
+  std::shared_ptr<const CandidateTests> tests; // of the result's fit; absent if missing effects were not tested
 };
 /// The same, for further fits of other models to the same measurements at the same weights.
 WeighedCalibration calibrateWeighing(const Measurements& measurements, const Model& model,

@@ -246,8 +246,35 @@ OnFloor medoid(const std::vector<OnFloor>& all) {
   return best;
 }
 
-/// A board's placement in the support sole's frame: from its pose in the camera, or, with too few corners, from the
-/// floor intersection of the first corner's ray (zero yaw, at most 2 m away).
+/// Where a corner's ray meets the floor, at most 2 m from the camera: x, y in the sole's frame.
+Eigen::Vector2d meetFloor(const RigidTransform& soleFromOptical, const Eigen::Matrix<double, 9, 1>& lens,
+                          const Eigen::Vector2d& pixel) {
+  constexpr double farthest = 2; // [m]
+  const Eigen::Vector3d ray =
+      soleFromOptical.rotation * Eigen::Vector3d{(pixel.x() - lens[2]) / lens[0], (pixel.y() - lens[3]) / lens[1], 1};
+  const double down = -ray.z() / soleFromOptical.translation.z(); // 1 / (distance along the ray to the floor)
+  const double reach = std::min(1 / std::max(down, 1e-9), farthest / ray.head<2>().norm());
+  return (soleFromOptical.translation + reach * ray).head<2>();
+}
+
+/// The placement that brings points of a board closest to where they were seen on the floor (Procrustes in the plane).
+OnFloor placeOnFloor(const std::vector<Eigen::Vector2d>& onBoard, const std::vector<Eigen::Vector2d>& onFloor) {
+  const auto count = static_cast<double>(onBoard.size());
+  const Eigen::Vector2d none = Eigen::Vector2d::Zero();
+  const Eigen::Vector2d middle = std::accumulate(onBoard.begin(), onBoard.end(), none) / count,
+                        seen = std::accumulate(onFloor.begin(), onFloor.end(), none) / count;
+  double along = 0, across = 0;
+  for (std::size_t i = 0; i < onBoard.size(); ++i) {
+    const Eigen::Vector2d p = onBoard[i] - middle, q = onFloor[i] - seen;
+    along += p.dot(q);
+    across += p.x() * q.y() - p.y() * q.x();
+  }
+  const double yaw = std::atan2(across, along);
+  return compose({seen.x(), seen.y(), yaw}, {-middle.x(), -middle.y(), 0});
+}
+
+/// A board's placement in the support sole's frame: from its pose in the camera, or, where its corners do not determine
+/// one, from where their rays meet the floor.
 OnFloor soleFromBoard(const Measurements& measurements, const ModelState& modelState,
                       const BoardObservation& observation) {
   LinkPoses torsoFromLink;
@@ -258,19 +285,26 @@ OnFloor soleFromBoard(const Measurements& measurements, const ModelState& modelS
     const RigidTransform pose = soleFromOptical * *opticalFromBoard;
     return {pose.translation.x(), pose.translation.y(), std::atan2(pose.rotation(1, 0), pose.rotation(0, 0))};
   }
-  constexpr double farthest = 2; // [m]
-  const CornerBlock& corner = observation.corners.front();
-  const auto lens = modelState.lens();
-  const Eigen::Vector3d ray = soleFromOptical.rotation *
-                              Eigen::Vector3d{(corner.u[0] - lens[2]) / lens[0], (corner.v[0] - lens[3]) / lens[1], 1};
-  const double down = -ray.z() / soleFromOptical.translation.z(); // 1 / (distance along the ray to the floor)
-  const double reach = std::min(1 / std::max(down, 1e-9), farthest / ray.head<2>().norm());
-  const Eigen::Vector3d hit = soleFromOptical.translation + reach * ray;
-  return {hit.x() - corner.x[0], hit.y() - corner.y[0], 0};
+  std::vector<Eigen::Vector2d> onBoard, onFloor;
+  for (const CornerBlock& block : observation.corners) {
+    for (Eigen::Index i = 0; i < 4; ++i) {
+      if (block.present[i] > 0) {
+        onBoard.emplace_back(block.x[i], block.y[i]);
+        onFloor.push_back(meetFloor(soleFromOptical, modelState.lens(), {block.u[i], block.v[i]}));
+      }
+    }
+  }
+  return placeOnFloor(onBoard, onFloor);
 }
 
 using Placements = std::vector<std::optional<OnFloor>>;
 using StanceAndBoard = std::pair<std::size_t, std::size_t>; // indices
+
+/// Whether any corner counts: an observation that was set aside keeps its corners at no weight.
+bool isSeen(const BoardObservation& observation) {
+  return std::any_of(observation.corners.begin(), observation.corners.end(),
+                     [](const CornerBlock& block) { return sum(block.present) > 0; });
+}
 
 /// Placement of each floor board in the frame of each sole that it was seen from. Views without an estimate of the
 /// board's pose count only for pairs that have no other.
@@ -281,7 +315,7 @@ std::map<StanceAndBoard, OnFloor> locateBoards(const Measurements& measurements,
     const ModelState modelState = predictState(measurements, model, picture, unknowns);
     for (const BoardObservation& observation : picture.observations) {
       const std::size_t board = observation.view.board();
-      if (measurements.targets[board].isFlat) {
+      if (measurements.targets[board].isFlat && isSeen(observation)) {
         auto& views = estimateBoardPose(observation.corners, modelState.lens()) ? observations : glimpses;
         views[{picture.stance, board}].push_back(soleFromBoard(measurements, modelState, observation));
       }

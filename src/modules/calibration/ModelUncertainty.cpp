@@ -110,19 +110,6 @@ std::vector<bool> markVarying(const std::vector<Term>& terms) {
   return result;
 }
 
-/// Name of a group of columns: "elasticity@LKneePitch", or for a curve "LKneePitch over q".
-std::string formatGroup(const WideModel& wide, const Robot& robot, std::size_t group) {
-  if (group < wide.candidates().size()) {
-    return wide.candidates()[group].label();
-  }
-  const std::size_t curve = group - wide.candidates().size();
-  if (curve < wide.mounts().size()) {
-    return wide.mounts()[curve].term.placeName;
-  }
-  const DriverBasis& cell = wide.map().cells[curve - wide.mounts().size()];
-  return robot.joints[cell.motor].name + " over " + expressionName(wide.map().drivers[cell.driver], cell.motor);
-}
-
 /// The likeliest effect or curve, if it is beyond chance and does not matter.
 std::optional<NegligibleEffect> describeNegligible(const WideModel& wide, const Robot& robot,
                                                    const Evidence& evidence) {
@@ -201,7 +188,7 @@ public:
       explained.own = withWeighingOffsets(measurements_, base_, explained.effects);
       explained.wide = wideAt(explained.own, explained.effects, explained.largerFit);
       const WideModel& wide = *explained.wide;
-      explained.window = searchModelWindow(wide.problem(), explained.levels.noise, added_.size());
+      explained.window = searchModelWindow({wide.problem(), explained.levels.noise}, added_.size());
       explained.names.clear();
       for (std::size_t group = 0; group < wide.problem().groups.size(); ++group) {
         explained.names.push_back(formatGroup(wide, measurements_.robot, group));
@@ -238,6 +225,18 @@ private:
 };
 
 } // namespace
+
+std::string formatGroup(const WideModel& wide, const Robot& robot, std::size_t group) {
+  if (group < wide.candidates().size()) {
+    return wide.candidates()[group].label();
+  }
+  const std::size_t curve = group - wide.candidates().size();
+  if (curve < wide.mounts().size()) {
+    return wide.mounts()[curve].term.placeName;
+  }
+  const DriverBasis& cell = wide.map().cells[curve - wide.mounts().size()];
+  return robot.joints[cell.motor].name + " over " + expressionName(wide.map().drivers[cell.driver], cell.motor);
+}
 
 std::vector<Term> addedEffects(const Model& model) {
   std::vector<Term> result;
@@ -314,14 +313,10 @@ double describe(const Measurements& measurements, const MissingEffectAnalysis& e
   return result;
 }
 
-void testCompleteness(const Measurements& measurements, const Model& model, const CalibrationOptions& options,
-                      MissingEffectAnalysis& explained) {
-  const WideModel wide{measurements, model, testableTerms(measurements, model, options.effects), pointOf(explained.fit),
-                       true};
-  const Evidence evidence = computeEvidence(wide.problem(), explained.levels.noise, options.draws, options.drawSeed);
-  explained.pValue = evidence.pValue;
-  explained.matters = evidence.matters;
-  explained.negligible = describeNegligible(wide, measurements.robot, evidence);
+void fillCompleteness(const CandidateTests& tests, const Robot& robot, CalibrationResult& result) {
+  result.pValue = tests.evidence().pValue;
+  result.matters = tests.evidence().matters;
+  result.negligible = describeNegligible(tests.wide(), robot, tests.evidence());
 }
 
 } // namespace naocal

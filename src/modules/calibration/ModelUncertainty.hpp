@@ -1,6 +1,6 @@
 #pragma once
 
-#include "calibration/Calibration.hpp"
+#include "calibration/CandidateTests.hpp"
 #include "calibration/Fit.hpp"
 #include "estimation/Model.hpp"
 #include "inference/ModelWindow.hpp"
@@ -29,11 +29,8 @@ struct MissingEffectAnalysis {
   Fit largerFit;             // fit of `larger`; equals `fit` without effects
   Model own;                 // the model without either: its unknowns are the window's own unknowns
   ModelWindow window;        // linearised at `largerFit`
-  std::shared_ptr<const WideModel> wide;      // what `window` is a window of
-  std::vector<std::string> names;             // name of the effect or curve, per group of the window
-  double pValue = 1;                          // of the hypothesis that the model as given is complete (`Evidence`)
-  bool matters = false;                       // the missing effect moves corners by more than `threshold::negligiblePx`
-  std::optional<NegligibleEffect> negligible; // the likeliest missing effect, if it does not
+  std::shared_ptr<const WideModel> wide; // what `window` is a window of
+  std::vector<std::string> names;        // name of the effect or curve, per group of the window
 
   /// Whether an effect is missing that is no deflection of a joint, while joints do not scatter to their limit.
   bool lacksMoreThanScatter() const;
@@ -59,9 +56,11 @@ MissingEffectAnalysis analyseMissingEffects(const Measurements& measurements, co
 /// that gives each corner and reading the price of an accident at most (`Loss`).
 double describe(const Measurements& measurements, const MissingEffectAnalysis& explained);
 
-/// Tests whether the model as given is complete, at `explained.fit`; sets `pValue` and `matters`.
-void testCompleteness(const Measurements& measurements, const Model& model, const CalibrationOptions& options,
-                      MissingEffectAnalysis& explained);
+/// Name of a group of columns: "elasticity@LKneePitch", or for a curve "LKneePitch over q".
+std::string formatGroup(const WideModel& wide, const Robot& robot, std::size_t group);
+
+/// Sets a result's p-value, and what the tests of its fit say of missing effects.
+void fillCompleteness(const CandidateTests& tests, const Robot& robot, CalibrationResult& result);
 
 /// Effects that the user added to the base model; explanations may replace them.
 std::vector<Term> addedEffects(const Model& model);

@@ -3,6 +3,7 @@
 #include "math/LinearAlgebra.hpp"
 
 #include <Eigen/SVD>
+#include <algorithm>
 #include <cmath>
 
 namespace naocal {
@@ -83,6 +84,21 @@ Eigen::Matrix3d nearestRotation(const Eigen::Matrix3d& homography) {
   return svd.matrixU() * svd.matrixV().transpose();
 }
 
+/// Whether all points lie on a line, or all but one: they leave the homography open.
+bool areOnLine(const std::vector<Eigen::Vector2d>& points) {
+  constexpr double narrow = 1e-3; // ratio of the squared width to the squared length
+  const Scatter all = scatterOf(points);
+  const auto isNarrow = [](const Eigen::Matrix2d& scatter) {
+    const Eigen::Vector2d spreads = symmetricEigenvalues(scatter);
+    return spreads[0] < narrow * spreads[1];
+  };
+  const auto count = static_cast<double>(points.size());
+  return isNarrow(all.matrix) || std::any_of(points.begin(), points.end(), [&](const Eigen::Vector2d& point) {
+           const Eigen::Vector2d away = point - all.mean;
+           return isNarrow(all.matrix - count / (count - 1) * away * away.transpose()); // without this point
+         });
+}
+
 } // namespace
 
 std::optional<RigidTransform> estimateBoardPose(const CornerBlocks& corners, const Eigen::Matrix<double, 9, 1>& lens) {
@@ -91,11 +107,10 @@ std::optional<RigidTransform> estimateBoardPose(const CornerBlocks& corners, con
   if (count < 4) {
     return std::nullopt;
   }
-  const Scatter scatter = scatterOf(points.onBoard);
-  const Eigen::Vector2d spreads = symmetricEigenvalues(scatter.matrix);
-  if (spreads[0] < 1e-3 * spreads[1]) {
+  if (areOnLine(points.onBoard)) {
     return std::nullopt;
   }
+  const Scatter scatter = scatterOf(points.onBoard);
   const double size = std::sqrt(scatter.matrix.trace() / static_cast<double>(count));
   const Eigen::Matrix3d homography = estimateHomography(points, scatter.mean, size);
   RigidTransform result;

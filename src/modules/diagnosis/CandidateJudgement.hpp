@@ -1,7 +1,7 @@
 #pragma once
 
+#include "calibration/CandidateTests.hpp"
 #include "diagnosis/DiagnosisResult.hpp"
-#include "diagnosis/evidence/CandidateTests.hpp"
 
 #include <string>
 #include <vector>

@@ -2,8 +2,6 @@
 
 #include "diagnosis/DiagnosisWording.hpp"
 #include "diagnosis/anomalies/DataChecks.hpp"
-#include "diagnosis/evidence/CandidateTests.hpp"
-#include "estimation/CandidateTerms.hpp"
 #include "setups/SetUpSearch.hpp"
 
 namespace naocal {
@@ -24,15 +22,11 @@ WeighedCalibration calibrateOrSuspect(const Measurements& measurements, const Mo
 }
 
 /// Accidents that explain what the model leaves.
-std::vector<DataAnomaly> explainByAccidents(const FittedModel& fitted, const Measurements& given,
-                                            const CalibrationOptions& options) {
-  if (fitted.fit.verdict == ResultVerdict::good || !options.testMissingEffects) {
-    return {};
-  }
+std::vector<DataAnomaly> explainByAccidents(const FittedModel& fitted, const CandidateTests& tests,
+                                            const Measurements& given) {
   try {
-    const std::vector<Term> candidates = testableTerms(fitted.measurements, fitted.model, options.effects);
-    return findAccidents(fitted, {fitted, candidates, {.draws = 0}}, given);
-  } catch (const InputError&) { // no linearisation at this fit
+    return findAccidents(fitted, tests, given);
+  } catch (const InputError&) { // with all at full weight a corner lies behind its camera
     return {};
   }
 }
@@ -41,14 +35,16 @@ std::vector<DataAnomaly> explainByAccidents(const FittedModel& fitted, const Mea
 
 CalibrationResult calibrateChecked(const Measurements& measurements, const Model& model,
                                    const CalibrationOptions& options) {
-  auto [result, weighed] = calibrateOrSuspect(measurements, model, options);
+  auto [result, weighed, tests] = calibrateOrSuspect(measurements, model, options);
   result.setUps = findSetUps({measurements, model, result});
   if (result.setUps.empty()) {
     result.setUps = findSlippedCounts({measurements, model, result});
   }
-  result.suspicious = result.setUps.empty() ? explainByAccidents({weighed ? *weighed : measurements, model, result},
-                                                                 measurements, options)
-                                            : suspect(result.setUps);
+  if (!result.setUps.empty()) {
+    result.suspicious = suspect(result.setUps);
+  } else if (tests && result.verdict != ResultVerdict::good) {
+    result.suspicious = explainByAccidents({weighed ? *weighed : measurements, model, result}, *tests, measurements);
+  }
   if (!result.suspicious.empty()) {
     result.verdict = ResultVerdict::doNotUse;
     result.usable = false;

@@ -1,7 +1,9 @@
 #include "diagnosis/Diagnosis.hpp"
 
+#include "calibration/ModelUncertainty.hpp"
 #include "calibration/Outliers.hpp"
 #include "calibration/result/Assumptions.hpp"
+#include "calibration/result/Determination.hpp"
 #include "diagnosis/CandidateJudgement.hpp"
 #include "diagnosis/DiagnosisFigures.hpp"
 #include "diagnosis/DiagnosisWording.hpp"
@@ -19,22 +21,47 @@
 #include <chrono>
 #include <cmath>
 #include <iterator>
-#include <list>
 #include <map>
+#include <memory>
 
 namespace naocal {
 
 namespace {
 
-/// Whether a curve of the map explains the misfit better than `candidate` and than any other named effect, transient
-/// effects aside (they do not predict). The required lead grows with the evidence: a free curve mimics several effects
-/// at once, which are then named one by one.
-bool isUnknown(const CandidateTests& candidateTests, std::optional<std::size_t> candidate) {
-  const GroupEvidence& best = candidateTests.curveEvidence(candidateTests.curvesByEvidence().front());
-  const double curve = best.matters() ? best.bayes : 0;
-  double named = candidate ? candidateTests.candidateEvidence(*candidate).bayes : -threshold::unnamed;
+/// The likeliest curve, and its evidence in the sum of the explanations, where each choice has its price
+/// (`searchModelWindow`): comparable with the evidence of named effects together.
+struct LikelyCurve {
+  std::size_t curve;
+  double evidence;
+};
+
+std::optional<LikelyCurve> findLikeliestCurve(const CandidateTests& candidateTests) {
+  if (candidateTests.curveCount() == 0) {
+    return std::nullopt;
+  }
+  const std::size_t curve = candidateTests.curvesByEvidence().front();
+  const ColumnGroup& group = candidateTests.problem().groups[candidateTests.candidates().size() + curve];
+  const double price = threshold::unnamed + 2 * std::log(static_cast<double>(candidateTests.curveCount())) -
+                       2 * std::log(static_cast<double>(group.choices)); // paid already
+  return LikelyCurve{curve, candidateTests.curveEvidence(curve).bayes - price};
+}
+
+/// Whether a curve of the map explains the misfit better than named effects: likelier than the likeliest together,
+/// whose evidence is `together`, and clearly better than these and than any alone; transient effects, which do not
+/// predict, count against curves over time and temperature, which do not either. The required lead grows with their
+/// evidence: a free curve mimics more effects than an explanation may have, which are then named one by one. `isNamed`:
+/// whether any can be named.
+bool isUnknown(const CandidateTests& candidateTests, bool isNamed, double together) {
+  const std::optional<LikelyCurve> likeliest = findLikeliestCurve(candidateTests);
+  if (!likeliest || !candidateTests.curveEvidence(likeliest->curve).matters() || likeliest->evidence <= together) {
+    return false;
+  }
+  const double curve = candidateTests.curveEvidence(likeliest->curve).bayes;
+  const Driver over = candidateTests.map().drivers[candidateTests.curveBasis(likeliest->curve).driver].kind;
+  const bool passes = over == Driver::time || over == Driver::temperature;
+  double named = isNamed ? together : -threshold::unnamed;
   for (std::size_t i = 0; i < candidateTests.candidates().size(); ++i) {
-    named = isTransient(candidateTests.candidates()[i].effect)
+    named = !passes && isTransient(candidateTests.candidates()[i].effect)
                 ? named
                 : std::max(named, candidateTests.candidateEvidence(i).bayes);
   }
@@ -164,7 +191,7 @@ public:
     rankCandidates();
     suggestOwnEffect();
     result_.lastFit = selection_.fit();
-    assembleFigures({{measurements_, asked_, result_.fit}, tests_.front()}, {fitted(), tests_.back()}, result_);
+    assembleFigures({{measurements_, asked_, result_.fit}, *firstTests_}, {fitted(), *tests_}, result_);
     addDisplacedBoards();
     reachVerdict();
     result_.sentence = summarize(result_);
@@ -175,24 +202,23 @@ private:
   FittedModel fitted() const { return {measurements_, selection_.model(), selection_.fit()}; }
 
   void testModel() {
-    if (tests_.size() > 1) {
-      tests_.pop_back();
-    }
-    tests_.emplace_back(fitted(), selection_.testableTerms(), options_.candidateTests);
-    selection_.recordStep(tests_.back(), result_);
+    tests_ = selection_.testModel();
+    firstTests_ = firstTests_ ? firstTests_ : tests_;
+    selection_.recordStep(*tests_, result_);
   }
 
   void findModelAnomalies() {
     if (result_.steps.size() == 1) {
-      result_.anomalies = findAnomalies(fitted(), tests_.back(), given_);
-      result_.alarm = tests_.back().evidence().pValue;
+      result_.anomalies = findAnomalies(fitted(), *tests_, given_);
+      result_.alarm = tests_->evidence().pValue;
     } else { // the misfit of the effect added last may have masked an accident
-      result_.anomalies = findTransientAnomalies(fitted(), tests_.back(), given_);
+      result_.anomalies = findTransientAnomalies(fitted(), *tests_, given_);
+      result_.anomaliesBeside = !result_.anomalies.empty();
     }
   }
 
   void assessMisfit() {
-    const CandidateTests& tests = tests_.back();
+    const CandidateTests& tests = *tests_;
     const double level = result_.suggested.empty() ? options_.alarm : threshold::laterAlarm * options_.alarm;
     last_ = {};
     last_.field = noteworthyField(findStrikingField(fitted()), mostField_);
@@ -201,20 +227,33 @@ private:
     last_.alarm = (last_.striking || last_.field) && result_.anomalies.empty();
     if (last_.alarm) {
       last_.next = selection_.chooseNext(tests);
-      last_.unknownCurve = tests.curveCount() > 0 && isUnknown(tests, last_.candidate());
+      last_.unknownCurve = isUnknown(tests, last_.next.has_value(), selection_.namedEvidence());
       last_.unknownField = last_.field && !explains(tests, last_.candidate(), *last_.field) &&
                            selection_.fieldPersists(*last_.field, tests);
     }
+    noteRivalCurve();
     last_.grows = options_.extend && (!options_.shouldContinue || options_.shouldContinue());
+  }
+
+  /// Notes a curve that is at least about as likely as the likeliest effects together, before any is added.
+  void noteRivalCurve() {
+    if (!last_.next || last_.unknown() || !result_.suggested.empty()) {
+      return;
+    }
+    const std::optional<LikelyCurve> curve = findLikeliestCurve(*tests_);
+    const bool isRival = curve && tests_->curveEvidence(curve->curve).matters() &&
+                         curve->evidence > selection_.namedEvidence() - threshold::asLikely;
+    result_.rivalCurve =
+        isRival ? formatGroup(tests_->wide(), measurements_.robot, tests_->candidates().size() + curve->curve) : "";
   }
 
   /// False if no effect is to be added, or no further one may be.
   bool addNextEffect() {
-    return last_.grows && !last_.unknown() && last_.next && selection_.add(tests_.back(), *last_.next, result_);
+    return last_.grows && !last_.unknown() && last_.next && selection_.add(*tests_, *last_.next, result_);
   }
 
   void describeCurves() {
-    auto [cells, best] = mapDrivers(tests_.back(), measurements_);
+    auto [cells, best] = mapDrivers(*tests_, measurements_);
     result_.driverScores = std::move(cells);
     result_.driverCurves = std::move(best);
     if (last_.unknownField) {
@@ -226,7 +265,9 @@ private:
   void addDisplacedBoards() {
     const bool lasting = !result_.anomalies.empty() && !result_.anomalies.front().capture; // then all seem displaced
     if (!last_.unknown() && !lasting && (result_.suggested.empty() || !last_.striking)) {
+      const bool wasClear = result_.anomalies.empty();
       appendNewAnomalies(findDisplacedBoards(measurements_, result_.lastFit), result_.anomalies);
+      result_.anomaliesBeside |= wasClear && !result_.anomalies.empty() && !result_.suggested.empty();
     }
   }
 
@@ -238,7 +279,14 @@ private:
     const std::vector<DataAnomaly> slipped =
         isSetUpWrong(result_.anomalies) ? std::vector<DataAnomaly>{} : findSlips({measurements_, asked_, result_.fit});
     result_.anomalies.insert(result_.anomalies.begin(), slipped.begin(), slipped.end());
+    result_.anomaliesBeside = result_.anomaliesBeside && slipped.empty();
     result_.verdict = verdictOf(result_, selection_.fit(), {missing, last_.unknown()}, measurements_);
+    const auto still = describeStillJoints({measurements_, asked_, result_.fit});
+    if (still && result_.verdict == Verdict::adequate) { // captures that a model explains, and that tell no offsets
+      result_.anomalies.push_back({{}, *still});
+      result_.hasStillJoints = true;
+      result_.verdict = Verdict::badCaptures;
+    }
     result_.with = selection_.added();
     std::vector<Term> named = selection_.model().terms();
     for (const CandidateFinding& finding : result_.ranking) {
@@ -252,17 +300,16 @@ private:
   void rankCandidates() {
     std::vector<std::string> leading = result_.suggested;
     if (leading.empty() && last_.next) {
-      leading = {tests_.back().candidates()[last_.next->candidate].label()};
+      leading = {tests_->candidates()[last_.next->candidate].label()};
     }
-    result_.ranking =
-        judgeCandidates(selection_.findings(), tests_.back(), selection_.model(), selection_.fit(), leading);
+    result_.ranking = judgeCandidates(selection_.findings(), *tests_, selection_.model(), selection_.fit(), leading);
   }
 
   /// The unknown curve as an effect, if it holds.
   void suggestOwnEffect() {
     if (last_.unknown() && !last_.unknownField && last_.grows) {
-      result_.own =
-          fitOwnEffect(result_.driverCurves.front(), measurements_, selection_, result_, options_.candidateTests);
+      result_.own = fitOwnEffect(result_.driverCurves.front(), measurements_, selection_, result_,
+                                 options_.calibration.candidateTests);
     }
     if (result_.own) {
       result_.suggested.push_back(result_.own->label);
@@ -274,10 +321,10 @@ private:
   const Model& asked_;
   const DiagnosisOptions& options_;
   StepwiseSelection selection_;
-  const Measurements& measurements_; // as the likeliest explanation weighs them
-  std::list<CandidateTests> tests_;  // of the model as given, and of the latest model
-  double mostField_ = 0;             // largest evidence of a field within pictures so far
-  Assessment last_;                  // of the latest model
+  const Measurements& measurements_;                         // as the likeliest explanation weighs them
+  std::shared_ptr<const CandidateTests> firstTests_, tests_; // of the model as given, and of the latest model
+  double mostField_ = 0;                                     // largest evidence of a field within pictures so far
+  Assessment last_;                                          // of the latest model
   Diagnosis result_;
 };
 
@@ -378,6 +425,7 @@ Diagnosis diagnoseWithoutSpoiled(const Measurements& given, const Model& asked, 
     Diagnosis next = diagnoseModel(excludeSuspicious(result.anomalies, measurements), asked, options);
     appendNewAnomalies(next.anomalies, result.anomalies);
     next.anomalies = result.anomalies;
+    next.anomaliesBeside = result.anomaliesBeside;
     next.alarm = result.alarm;
     copyLoneEvidence(result.ranking, next.ranking);
     next.verdict = Verdict::badCaptures;
@@ -424,7 +472,7 @@ Diagnosis diagnoseScatter(const Measurements& measurements, const Model& asked, 
 
 Diagnosis diagnose(const Measurements& measurements, const DiagnosisOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
-  const Model asked = buildModel(measurements, options.with, options.without, options.effects);
+  const Model asked = buildModel(measurements, options.with, options.without, options.calibration.effects);
   requireUnknowns(measurements, asked);
   Diagnosis result;
   try {

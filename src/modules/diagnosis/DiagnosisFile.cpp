@@ -174,7 +174,10 @@ Json diagnosisJson(const Diagnosis& diagnosis, std::size_t mostPoints) {
   result["steps"] = listJson<SelectionStep>(diagnosis.steps, stepJson);
   result["drivers"] = listJson<DriverCurve>(diagnosis.driverCurves, driverJson);
   result["map"] = listJson<DriverScore>(diagnosis.driverScores, scoreJson);
-  result["suspicious"] = listJson<DataAnomaly>(diagnosis.anomalies, anomalyJson);
+  if (!diagnosis.rivalCurve.empty()) {
+    result["rivalCurve"] = diagnosis.rivalCurve;
+  }
+  result["suspicious"] = suspiciousJson(diagnosis.anomalies);
   result["notes"] = diagnosis.notes;
   addFiguresJson(diagnosis, mostPoints, result);
   return result;

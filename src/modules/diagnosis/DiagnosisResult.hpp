@@ -1,8 +1,8 @@
 #pragma once
 
 #include "calibration/Calibration.hpp"
+#include "calibration/CandidateTests.hpp"
 #include "diagnosis/anomalies/Events.hpp"
-#include "diagnosis/evidence/CandidateTests.hpp"
 #include "diagnosis/evidence/LackOfFit.hpp"
 #include "diagnosis/views/AddedVariable.hpp"
 #include "diagnosis/views/DriverCurves.hpp"
@@ -91,7 +91,10 @@ struct Diagnosis {
   std::vector<SelectionStep> steps;      // selection steps, starting with the model as given
   std::vector<DriverCurve> driverCurves; // for the last model, best first
   std::vector<DriverScore> driverScores; // for the last model
+  std::string rivalCurve; // a curve at least about as likely as the likeliest effects: "LKneePitch over q"; empty: none
   std::vector<DataAnomaly> anomalies;
+  bool hasStillJoints = false;    // whether the captures are bad only since joints never moved; the model explains them
+  bool anomaliesBeside = false;   // whether these were found beside the suggestions, which explain more
   std::vector<std::string> notes; // what was taken for granted about the captures (`describeAssumptions`)
   Figures figures;
   CalibrationResult fit;         // of the model as given
@@ -102,12 +105,10 @@ struct Diagnosis {
 
 struct DiagnosisOptions {
   CalibrationOptions calibration;
-  CandidateTestOptions candidateTests;
   std::vector<std::string> with, without; // model to diagnose: the base model with and without these effects
-  std::vector<Effect> effects = allEffects();
-  double alarm = threshold::alarm;      // family-wise false-alarm rate
-  bool extend = true;                   // adds missing effects; false: tests the given model only
-  std::function<bool()> shouldContinue; // called before each addition; false stops and returns the findings so far
+  double alarm = threshold::alarm;        // family-wise false-alarm rate
+  bool extend = true;                     // adds missing effects; false: tests the given model only
+  std::function<bool()> shouldContinue;   // called before each addition; false stops and returns the findings so far
 };
 
 } // namespace naocal

@@ -18,6 +18,30 @@ std::string percent(double p) {
   return p < 0.01 ? "less than 1 %" : fmt::format("{:.0f} %", 100 * p);
 }
 
+/// "tangentialDistortion@camera, axisTilt@x, axisTilt@y and 2 more": what captures cannot tell an effect from.
+std::string formatRivals(const std::vector<std::string>& rivals) {
+  constexpr std::size_t most = 3;
+  const auto shown = static_cast<std::ptrdiff_t>(std::min(most, rivals.size()));
+  const std::string more = rivals.size() > most ? fmt::format(" and {} more", rivals.size() - most) : "";
+  return fmt::format("{}{}", fmt::join(rivals.begin(), rivals.begin() + shown, ", "), more);
+}
+
+/// Labels of effects, each with what it cannot be told from: "a@x (or b@x: these captures cannot tell)".
+std::vector<std::string> nameWithRivals(const Diagnosis& diagnosis, std::vector<std::string> labels) {
+  for (std::string& label : labels) {
+    const auto found = std::find_if(diagnosis.ranking.begin(), diagnosis.ranking.end(),
+                                    [&](const CandidateFinding& one) { return one.term.label() == label; });
+    if (found != diagnosis.ranking.end() && !found->equivalent.empty()) {
+      label += fmt::format(" (or {}: these captures cannot tell)", formatRivals(found->equivalent));
+    }
+  }
+  return labels;
+}
+
+std::string formatFurther(const Diagnosis& diagnosis, const std::vector<std::string>& labels) {
+  return labels.empty() ? "" : fmt::format(" Also missing: {}.", fmt::join(nameWithRivals(diagnosis, labels), ", "));
+}
+
 std::string formatMissing(const Diagnosis& diagnosis) {
   const CandidateFinding& first = diagnosis.ranking.front();
   std::string text = fmt::format("{} is missing ({}).", first.term.label(), formatSizes(first));
@@ -25,15 +49,14 @@ std::string formatMissing(const Diagnosis& diagnosis) {
     text += fmt::format(" That is: {}.", first.term.effect.description);
   }
   if (!first.equivalent.empty()) {
-    const std::size_t shown = std::min<std::size_t>(3, first.equivalent.size());
-    text += fmt::format(" These captures cannot tell it from {}{}.",
-                        fmt::join(first.equivalent.begin(), first.equivalent.begin() + static_cast<long>(shown), ", "),
-                        first.equivalent.size() > shown ? fmt::format(" and {} more", first.equivalent.size() - shown)
-                                                        : "");
+    text += fmt::format(" These captures cannot tell it from {}.", formatRivals(first.equivalent));
   }
-  if (diagnosis.suggested.size() > 1) {
+  if (!diagnosis.rivalCurve.empty()) {
     text +=
-        fmt::format(" Also missing: {}.", fmt::join(diagnosis.suggested.begin() + 1, diagnosis.suggested.end(), ", "));
+        fmt::format(" A curve of {} explains about as much or more: the cause may be unknown.", diagnosis.rivalCurve);
+  }
+  if (!diagnosis.suggested.empty()) {
+    text += formatFurther(diagnosis, {diagnosis.suggested.begin() + 1, diagnosis.suggested.end()});
   }
   const SelectionStep &before = diagnosis.steps.front(), &after = diagnosis.steps.back();
   const std::optional<double>& heldOut = diagnosis.suggested.empty() ? before.nextPx : after.heldOutPx;
@@ -121,7 +144,7 @@ std::string formatNamed(const Diagnosis& diagnosis, const std::vector<std::strin
                                              diagnosis.unit.perPx * *after.heldOutPx, diagnosis.unit.name)
                                : "";
   return fmt::format("{} {} missing{}, and an unknown effect beside: no effect in the catalogue explains the rest.",
-                     fmt::join(named, " and "), named.size() > 1 ? "are" : "is", fall);
+                     fmt::join(nameWithRivals(diagnosis, named), " and "), named.size() > 1 ? "are" : "is", fall);
 }
 
 std::string formatUnknown(const Diagnosis& diagnosis) {
@@ -269,8 +292,13 @@ std::string formatAnomalies(const std::vector<DataAnomaly>& anomalies) {
 std::string summarize(const Diagnosis& diagnosis) {
   switch (diagnosis.verdict) {
   case Verdict::badCaptures:
-    return formatAnomalies(diagnosis.anomalies) +
-           (diagnosis.suggested.empty() ? "" : fmt::format(" Also missing: {}.", fmt::join(diagnosis.suggested, ", ")));
+    if (diagnosis.hasStillJoints) {
+      return formatAdequate(diagnosis);
+    }
+    return diagnosis.anomaliesBeside && !diagnosis.suggested.empty() && !diagnosis.own
+               ? fmt::format("{} Besides, something is wrong with the captures: {}.", formatMissing(diagnosis),
+                             describeAnomalies(diagnosis.anomalies))
+               : formatAnomalies(diagnosis.anomalies) + formatFurther(diagnosis, diagnosis.suggested);
   case Verdict::unknownEffect:
     return formatUnknown(diagnosis);
   case Verdict::effectMissing:

@@ -16,7 +16,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <iterator>
 #include <limits>
+#include <set>
 #include <utility>
 
 namespace naocal {
@@ -56,7 +59,7 @@ StepwiseSelection::StepwiseSelection(const Measurements& measurements, const Mod
                                      const DiagnosisOptions& options)
     : first_{calibrateOrHold(measurements, model, options.calibration)}, measurements_{first_.weighed ? *first_.weighed
                                                                                                       : measurements},
-      options_{options}, candidates_{candidateTerms(measurements, options.effects)}, added_{options.with},
+      options_{options}, candidates_{candidateTerms(measurements, options.calibration.effects)}, added_{options.with},
       model_{model}, fit_{first_.result} {
   std::erase_if(candidates_, [&](const Term& term) { return model_.find(term.label()) != nullptr; });
   for (const Term& term : candidates_) {
@@ -89,6 +92,13 @@ std::vector<Term> StepwiseSelection::testableTerms() const {
   return result;
 }
 
+std::shared_ptr<const CandidateTests> StepwiseSelection::testModel() const {
+  return isFirst() && first_.tests
+             ? first_.tests
+             : std::make_shared<const CandidateTests>(FittedModel{measurements_, model_, fit_}, testableTerms(),
+                                                      options_.calibration.candidateTests);
+}
+
 CandidateFinding& StepwiseSelection::findingOf(const std::string& label) {
   return *findFinding(findings_, label);
 }
@@ -98,7 +108,7 @@ void StepwiseSelection::recordStep(const CandidateTests& candidateTests, Diagnos
   recordEvidence(candidateTests, diagnosis.steps.size());
   std::vector<std::size_t> first = candidateTests.candidatesByRank();
   first.resize(std::min(first.size(), few));
-  proposals_ = listProposals(candidateTests);
+  findProposals(candidateTests);
   std::vector<std::vector<std::size_t>> asked = proposals_;
   for (const std::size_t candidate : first) {
     asked.push_back({candidate});
@@ -125,24 +135,38 @@ void StepwiseSelection::recordStep(const CandidateTests& candidateTests, Diagnos
   appendStep(candidateTests, held, diagnosis);
 }
 
-std::vector<std::vector<std::size_t>> StepwiseSelection::listProposals(const CandidateTests& candidateTests) const {
-  constexpr std::size_t most = 4;
-  std::vector<std::vector<std::size_t>> all;
-  if (isFirst()) {
-    all = listExplanations(candidateTests);
-  }
-  if (all.empty()) {
-    all = listLikelyEffects(candidateTests.problem(), candidateTests.noise());
-  }
-  std::vector<std::vector<std::size_t>> result;
-  for (std::vector<std::size_t>& effects : all) {
-    std::erase_if(effects, [&](std::size_t candidate) { return !predictsFurtherPoses(candidateTests, candidate); });
-    const bool isListed = std::find(result.begin(), result.end(), effects) != result.end();
-    if (!effects.empty() && !isListed && result.size() < most) {
-      result.push_back(std::move(effects));
+std::vector<LikelyEffects> StepwiseSelection::listPredicting(const CandidateTests& candidateTests) const {
+  std::set<std::size_t> excluded;
+  while (true) {
+    std::vector<LikelyEffects> likely = listLikelyEffects(candidateTests.measured(), excluded);
+    const std::size_t before = excluded.size();
+    if (!likely.empty()) {
+      std::copy_if(likely.front().groups.begin(), likely.front().groups.end(), std::inserter(excluded, excluded.end()),
+                   [&](std::size_t candidate) { return !predictsFurtherPoses(candidateTests, candidate); });
+    }
+    if (excluded.size() == before) {
+      return likely;
     }
   }
-  return result;
+}
+
+void StepwiseSelection::findProposals(const CandidateTests& candidateTests) {
+  constexpr std::size_t most = 4;
+  const std::vector<LikelyEffects> likely = listPredicting(candidateTests);
+  namedEvidence_ = likely.empty() ? 0 : likely.front().evidence;
+  std::vector<std::vector<std::size_t>> all =
+      isFirst() ? listExplanations(candidateTests) : std::vector<std::vector<std::size_t>>{};
+  if (all.empty()) {
+    std::transform(likely.begin(), likely.end(), std::back_inserter(all), std::mem_fn(&LikelyEffects::groups));
+  }
+  proposals_.clear();
+  for (std::vector<std::size_t>& effects : all) {
+    std::erase_if(effects, [&](std::size_t candidate) { return !predictsFurtherPoses(candidateTests, candidate); });
+    const bool isListed = std::find(proposals_.begin(), proposals_.end(), effects) != proposals_.end();
+    if (!effects.empty() && !isListed && proposals_.size() < most) {
+      proposals_.push_back(std::move(effects));
+    }
+  }
 }
 
 std::vector<std::vector<std::size_t>> StepwiseSelection::listExplanations(const CandidateTests& candidateTests) const {
@@ -205,7 +229,7 @@ bool isTransient(const Effect& effect) {
 Model StepwiseSelection::addTerm(const Term& term) const {
   std::vector<std::string> labels = added_;
   labels.push_back(term.label());
-  return buildModel(measurements_, labels, options_.without, options_.effects);
+  return buildModel(measurements_, labels, options_.without, options_.calibration.effects);
 }
 
 Model StepwiseSelection::addSizedTerm(const CandidateTests& candidateTests, std::size_t candidate) const {
@@ -290,7 +314,7 @@ void StepwiseSelection::compareLimits(const Term& chosen) {
     }
     std::vector<std::string> labels = added_;
     std::replace(labels.begin(), labels.end(), chosen.label(), other.label());
-    const Model instead = buildModel(measurements_, labels, options_.without, options_.effects);
+    const Model instead = buildModel(measurements_, labels, options_.without, options_.calibration.effects);
     if (!model_.find(chosen.label()) || !instead.find(other.label())) { // excluded by the user
       continue;
     }
@@ -367,7 +391,7 @@ CalibrationResult StepwiseSelection::fitLarger(const Model& larger) const {
 }
 
 void StepwiseSelection::refit(const std::optional<Eigen::VectorXd>& start) {
-  const Model changed = buildModel(measurements_, added_, options_.without, options_.effects);
+  const Model changed = buildModel(measurements_, added_, options_.without, options_.calibration.effects);
   fit_ = start ? calibrateFrom(changed, start) : fitLarger(changed);
   model_ = changed;
 }

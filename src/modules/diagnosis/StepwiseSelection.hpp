@@ -3,8 +3,10 @@
 #include "diagnosis/Diagnosis.hpp"
 #include "diagnosis/evidence/CrossValidation.hpp"
 #include "diagnosis/views/ImageField.hpp"
+#include "inference/ModelWindow.hpp"
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,6 +32,8 @@ public:
   const CalibrationResult& fit() const { return fit_; }
   /// Candidates whose drivers were recorded and that the model lacks.
   std::vector<Term> testableTerms() const;
+  /// The tests of the model: those that the calibration made, until an effect is added.
+  std::shared_ptr<const CandidateTests> testModel() const;
 
   /// Records the model's step and the evidence of each candidate.
   void recordStep(const CandidateTests& candidateTests, Diagnosis& diagnosis);
@@ -38,6 +42,9 @@ public:
     std::size_t candidate = 0;
     Eigen::VectorXd start;
   };
+  /// Evidence of the likeliest explanation by named effects that predict, at the last recorded step; 0 if none is
+  /// likely.
+  double namedEvidence() const { return namedEvidence_; }
   /// Next effect to add: the most evident of the likeliest explanation that lowers the held-out error and, refitted,
   /// the cost; transient effects must also predict the last poses and beat every step over time. Absent if none does.
   std::optional<Choice> chooseNext(const CandidateTests& candidateTests);
@@ -59,9 +66,11 @@ private:
   /// Appends the step with its held-out errors.
   void appendStep(const CandidateTests& candidateTests, const std::optional<CrossValidation>& held,
                   Diagnosis& diagnosis);
-  /// Effects that explain together, as indices of candidates: the first few explanations, likeliest first, without
-  /// transient effects that do not predict.
-  std::vector<std::vector<std::size_t>> listProposals(const CandidateTests& candidateTests) const;
+  /// Likely explanations by named effects (`listLikelyEffects`), the likeliest without any that do not predict.
+  std::vector<LikelyEffects> listPredicting(const CandidateTests& candidateTests) const;
+  /// Finds effects that explain together: the first few explanations, likeliest first, without transient effects that
+  /// do not predict.
+  void findProposals(const CandidateTests& candidateTests);
   /// The named effects of the calibration's explanations.
   std::vector<std::vector<std::size_t>> listExplanations(const CandidateTests& candidateTests) const;
   CandidateFinding& findingOf(const std::string& label);
@@ -103,6 +112,7 @@ private:
   std::vector<std::string> dropped_; // labels dropped by the last addition
   Model model_;
   std::vector<std::vector<std::size_t>> proposals_; // of the last recorded step, that lower the held-out error
+  double namedEvidence_ = 0;
   CalibrationResult fit_;
   std::vector<CandidateFinding> findings_; // one per candidate
 };

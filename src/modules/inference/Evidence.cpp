@@ -58,20 +58,13 @@ double groupBayesFactor(const ColumnGroup& group, const Eigen::MatrixXd& informa
   return most + 2 * std::log(mean) - 2 * std::log(static_cast<double>(group.choices));
 }
 
-/// Score tests of a problem and the projected scores of its residuals.
-struct ScoredProblem {
-  const ScoreProblem& problem;
-  const ScoreTest& tests;
-  Eigen::VectorXd scores;
-};
-
 /// Further decrease of chi2 when `added` joins `other`.
-double fallBeside(const ScoredProblem& scored, const ColumnGroup& added, const ColumnGroup& other) {
+double fallBeside(const MeasuredTests& measured, const ColumnGroup& added, const ColumnGroup& other) {
   const auto fall = [&](const std::vector<Eigen::Index>& columns) {
-    const Eigen::VectorXd plausible = scored.problem.plausible(columns),
-                          score = plausible.cwiseProduct(scored.scores(columns));
+    const Eigen::VectorXd plausible = measured.alone.problem().plausible(columns),
+                          score = plausible.cwiseProduct(measured.scores(columns));
     Eigen::MatrixXd scaled =
-        plausible.asDiagonal() * scored.tests.information()(columns, columns) * plausible.asDiagonal();
+        plausible.asDiagonal() * measured.tests.information()(columns, columns) * plausible.asDiagonal();
     scaled.diagonal().array() += 1e-4; // regularises directions that the own unknowns absorb
     return score.dot(scaled.ldlt().solve(score));
   };
@@ -85,12 +78,13 @@ double fallBeside(const ScoredProblem& scored, const ColumnGroup& added, const C
 }
 
 /// Estimate and Bayes factor of group `i`.
-GroupEvidence describeGroup(const ScoredProblem& scored, std::size_t i) {
-  const auto& [problem, tests, scores] = scored;
+GroupEvidence describeGroup(const MeasuredTests& measured, std::size_t i) {
+  const ScoreProblem& problem = measured.alone.problem();
+  const ScoreTest& tests = measured.tests;
   const ColumnGroup& columns = problem.groups[i];
   const Eigen::VectorXd plausible = problem.plausible.segment(columns.first, columns.count);
   Eigen::MatrixXd scaled = plausible.asDiagonal() * tests.informationOf(i) * plausible.asDiagonal();
-  const Eigen::VectorXd scaledScore = plausible.cwiseProduct(scores.segment(columns.first, columns.count));
+  const Eigen::VectorXd scaledScore = plausible.cwiseProduct(measured.scores.segment(columns.first, columns.count));
   GroupEvidence group;
   group.bayes = groupBayesFactor(columns, scaled, scaledScore);
   scaled.diagonal().array() += 1e-4; // wide prior; keeps absorbed directions at zero
@@ -120,15 +114,15 @@ std::optional<std::size_t> measureLikeliest(const ScoreTest& tests, std::size_t 
 }
 
 /// Whether a likely, significant group matters: the likeliest, or a named one beside it. True if no group is likely.
-bool anyMatters(const ScoredProblem& scored, const std::vector<GroupEvidence>& groups, std::size_t likeliest) {
-  const ScoreProblem& problem = scored.problem;
+bool anyMatters(const MeasuredTests& measured, const std::vector<GroupEvidence>& groups, std::size_t likeliest) {
+  const ScoreProblem& problem = measured.alone.problem();
   if (groups[likeliest].bayes <= 0 || groups[likeliest].matters()) {
     return true;
   }
   for (std::size_t i = 0; i < problem.named && likeliest < problem.named; ++i) {
     const bool likely = i != likeliest && groups[i].bayes > 2 * std::log(static_cast<double>(problem.named));
     if (likely && groups[i].matters() &&
-        boundChance(problem, tail(fallBeside(scored, problem.groups[i], problem.groups[likeliest]),
+        boundChance(problem, tail(fallBeside(measured, problem.groups[i], problem.groups[likeliest]),
                                   groups[i].freedom)) <= threshold::alarm) {
       return true;
     }
@@ -170,15 +164,15 @@ std::vector<Eigen::Index> selectComparable(const NullModel& alone, const DrawnSe
 }
 
 /// `smallestP` of the sets of pure noise that the data are compared with, in ascending order: parametric bootstrap.
-std::vector<double> drawSmallestP(const NullModel& alone, const ScoreTest& tests, Eigen::Index draws,
-                                  std::uint64_t seed) {
+std::vector<double> drawSmallestP(const MeasuredTests& measured, Eigen::Index draws, std::uint64_t seed) {
+  const NullModel& alone = measured.alone;
   const ScoreProblem& problem = alone.problem();
   DrawnSets drawn{drawResiduals(*problem.poses, alone.noise(), draws, seed), {}};
   drawn.outcome = alone(drawn.residuals, Eigen::VectorXd::Zero(problem.ownCount()));
-  const Eigen::MatrixXd falls = tests.chi2Decreases(drawn.residuals, drawn.outcome.own);
+  const Eigen::MatrixXd falls = measured.tests.chi2Decreases(drawn.residuals, drawn.outcome.own);
   std::vector<double> smallest;
   for (const Eigen::Index i : selectComparable(alone, drawn)) {
-    smallest.push_back(smallestP(problem, tests, falls.col(i)));
+    smallest.push_back(smallestP(problem, measured.tests, falls.col(i)));
   }
   std::sort(smallest.begin(), smallest.end());
   return smallest;
@@ -201,27 +195,26 @@ double computeBayesFactor(const Eigen::MatrixXd& information, const Eigen::Vecto
   return most + 2 * std::log(sum);
 }
 
-Evidence computeEvidence(const ScoreProblem& problem, const Noise& noise, Eigen::Index draws, std::uint64_t seed) {
-  const MeasuredTests measured{problem, noise};
+Evidence computeEvidence(const MeasuredTests& measured, Eigen::Index draws, std::uint64_t seed) {
+  const ScoreProblem& problem = measured.alone.problem();
   const ScoreTest& tests = measured.tests;
-  const ScoredProblem scored{problem, tests, measured.scores};
-  const Eigen::VectorXd ratio = tests.chi2Decreases(measuredResiduals(*problem.poses), measured.outcome.own);
+  const Eigen::VectorXd ratio = tests.chi2Decreases(measured.residuals, measured.outcome.own);
   Evidence result;
   for (std::size_t i = 0; i < problem.groups.size(); ++i) {
-    GroupEvidence& group = result.groups.emplace_back(describeGroup(scored, i));
+    GroupEvidence& group = result.groups.emplace_back(describeGroup(measured, i));
     group.likelihoodRatio = ratio[eigenIndex(i)];
     group.pValue = tail(ratio[eigenIndex(i)], tests.degreesOfFreedom(i));
   }
   measureLikeliest(tests, problem.named, result.groups); // a curve
   if (const auto likeliest = measureLikeliest(tests, 0, result.groups)) {
-    result.matters = anyMatters(scored, result.groups, *likeliest);
+    result.matters = anyMatters(measured, result.groups, *likeliest);
     result.likeliest = result.groups[*likeliest].bayes > 0 ? likeliest : std::nullopt;
   }
   result.information = tests.information();
   if (draws == 0) {
     return result;
   }
-  const std::vector<double> smallest = drawSmallestP(measured.alone, tests, draws, seed);
+  const std::vector<double> smallest = drawSmallestP(measured, draws, seed);
   const double seen = smallestP(problem, tests, ratio);
   const auto as = std::upper_bound(smallest.begin(), smallest.end(), seen) - smallest.begin();
   result.pValue = (1 + static_cast<double>(as)) / (1 + static_cast<double>(smallest.size()));

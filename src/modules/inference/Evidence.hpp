@@ -65,7 +65,6 @@ double computeBayesFactor(const Eigen::MatrixXd& information, const Eigen::Vecto
 /// data with more misfit than usual get a level above zero, so those at zero have less than unconditional draws, and
 /// their p-values would be too large. Above zero, draws are unconditional, and p-values near the boundary are a little
 /// small. With fewer than 20 draws left, all are compared.
-Evidence computeEvidence(const ScoreProblem& problem, const Noise& noise, Eigen::Index draws = 0,
-                         std::uint64_t seed = 1);
+Evidence computeEvidence(const MeasuredTests& measured, Eigen::Index draws = 0, std::uint64_t seed = 1);
 
 } // namespace naocal

@@ -29,9 +29,10 @@ using Members = std::vector<WindowMember>;
 /// scores are in units of `plausible`, linearised about zero coefficients.
 class Window {
 public:
-  Window(const MeasuredTests& measured, std::size_t expected)
-      : problem_{measured.alone.problem()}, expected_{expected}, alone_{measured.alone}, tests_{measured.tests},
-        own_{measured.outcome.own} {
+  /// `allowed`: which of the problem's groups models consist of.
+  Window(const MeasuredTests& measured, std::size_t expected, std::vector<bool> allowed)
+      : problem_{measured.alone.problem()}, expected_{expected}, allowed_{std::move(allowed)}, alone_{measured.alone},
+        tests_{measured.tests}, own_{measured.outcome.own} {
     scoreAtFit_ = score_ = problem_.plausible.cwiseProduct(measured.scores);
     scaled_ = pull_ = Eigen::VectorXd::Zero(score_.size());
     if (problem_.sizes.size() > 0) {
@@ -142,7 +143,8 @@ public:
 
   /// False where squares of the residuals overflow.
   bool isFinite() const { return score_.allFinite() && own_.allFinite(); }
-  std::size_t groups() const { return problem_.groups.size(); }
+  std::size_t groups() const { return allowed_.size(); }
+  bool allows(std::size_t group) const { return allowed_[group]; }
   /// Admissible column counts of a group: all columns, or one choice per degree of a smooth curve.
   std::vector<WindowMember> choices(std::size_t group) const {
     const ColumnGroup& columns = problem_.groups[group];
@@ -308,6 +310,7 @@ private:
 
   const ScoreProblem& problem_;
   std::size_t expected_;
+  std::vector<bool> allowed_;
   const NullModel& alone_;
   const ScoreTest& tests_;
   DriverColumns none_{.blocks = std::vector<std::vector<DriverColumns::Block>>(problem_.poses->size())};
@@ -331,7 +334,7 @@ Members removeMember(Members members, std::size_t place) {
 /// Visits each extension of `members` by one group, at the degree of lowest cost.
 template <class Visit> void visitAdditions(Window& window, const Members& members, const Visit& visit) {
   for (std::size_t group = 0; group < window.groups(); ++group) {
-    if (hasGroup(members, group)) {
+    if (!window.allows(group) || hasGroup(members, group)) {
       continue;
     }
     std::optional<WindowModel> best;
@@ -438,10 +441,39 @@ void requireFinite(bool isFinite) {
   }
 }
 
-/// The window's models with their weights, without estimates.
-ModelWindow searchModels(Window& window, const ScoreProblem& problem, const Noise& noise) {
+} // namespace
+
+ExplanationCosts costExplanations(const MeasuredTests& measured) {
+  Window window{measured, 0, std::vector<bool>(measured.alone.problem().groups.size(), true)};
+  return {window.costAsFitted(), window.fromFitToZero() + findLikeliest(window).cost};
+}
+
+std::vector<LikelyEffects> listLikelyEffects(const MeasuredTests& measured, const std::set<std::size_t>& excluded) {
+  std::vector<bool> allowed(measured.alone.problem().named, true);
+  for (const std::size_t effect : excluded) {
+    allowed[effect] = false;
+  }
+  Window window{measured, 0, std::move(allowed)};
+  std::vector<WindowModel> models = findNeighbours(window, findLikeliest(window));
+  const double none = window.model({}).cost;
+  std::erase_if(models, [&](const WindowModel& model) { return !(model.cost < none); });
+  std::stable_sort(models.begin(), models.end(), isLikelier);
+  std::vector<LikelyEffects> result;
+  for (const WindowModel& model : models) {
+    LikelyEffects& effects = result.emplace_back();
+    effects.evidence = none - model.cost;
+    std::transform(model.members.begin(), model.members.end(), std::back_inserter(effects.groups),
+                   [](const WindowMember& member) { return member.group; });
+    std::sort(effects.groups.begin(), effects.groups.end());
+  }
+  return result;
+}
+
+ModelWindow searchModelWindow(const MeasuredTests& measured, std::size_t expected) {
+  const ScoreProblem& problem = measured.alone.problem();
+  Window window{measured, expected, std::vector<bool>(problem.groups.size(), true)};
   const WindowModel likeliest = findLikeliest(window);
-  const PoseMisfit atFit = testPoseMisfit(problem, noise);
+  const PoseMisfit atFit = testPoseMisfit(problem, measured.alone.noise());
   requireFinite(window.isFinite() && std::isfinite(atFit.within) && std::isfinite(likeliest.cost));
   Members effects = likeliest.members;
   std::erase_if(effects, [&](const WindowMember& member) { return member.group >= problem.named; });
@@ -451,39 +483,6 @@ ModelWindow searchModels(Window& window, const ScoreProblem& problem, const Nois
   result.misfit = std::max(1.0, misfit.chi2 / misfit.freedom);
   result.freedom = misfit.freedom;
   weigh(result);
-  return result;
-}
-
-} // namespace
-
-ExplanationCosts costExplanations(const MeasuredTests& measured) {
-  Window window{measured, 0};
-  return {window.costAsFitted(), window.fromFitToZero() + findLikeliest(window).cost};
-}
-
-std::vector<std::vector<std::size_t>> listLikelyEffects(const ScoreProblem& problem, const Noise& noise) {
-  const EffectsOnly effects{problem};
-  const MeasuredTests measured{effects.problem(), noise};
-  Window window{measured, 0};
-  const WindowModel likeliest = findLikeliest(window);
-  std::vector<WindowModel> models = findNeighbours(window, likeliest);
-  const double none = window.model({}).cost;
-  std::erase_if(models, [&](const WindowModel& model) { return !(model.cost < none); });
-  std::stable_sort(models.begin(), models.end(), isLikelier);
-  std::vector<std::vector<std::size_t>> result;
-  for (const WindowModel& model : models) {
-    std::vector<std::size_t>& groups = result.emplace_back();
-    std::transform(model.members.begin(), model.members.end(), std::back_inserter(groups),
-                   [](const WindowMember& member) { return member.group; });
-    std::sort(groups.begin(), groups.end());
-  }
-  return result;
-}
-
-ModelWindow searchModelWindow(const ScoreProblem& problem, const Noise& noise, std::size_t expected) {
-  const MeasuredTests measured{problem, noise};
-  Window window{measured, expected};
-  ModelWindow result = searchModels(window, problem, noise);
   const OwnEstimates estimates = window.estimatesAt(result.misfit);
   result.covariance = estimates.covariance();
   result.mean = Eigen::VectorXd::Zero(problem.ownCount());

@@ -5,6 +5,7 @@
 
 #include <compare>
 #include <cstddef>
+#include <set>
 #include <vector>
 
 namespace naocal {
@@ -82,12 +83,17 @@ struct ExplanationCosts {
 };
 ExplanationCosts costExplanations(const MeasuredTests& measured);
 
-/// Explanations by named effects alone that are likelier than that nothing is missing: groups, ascending; likeliest
-/// first. Their sizes' choices count together.
-std::vector<std::vector<std::size_t>> listLikelyEffects(const ScoreProblem& problem, const Noise& noise);
+/// Named effects that explain together.
+struct LikelyEffects {
+  std::vector<std::size_t> groups; // ascending
+  double evidence = 0;             // 2 ln(posterior odds) against that nothing is missing
+};
+/// Explanations by named effects alone that are likelier than that nothing is missing, likeliest first. Their sizes'
+/// choices count together. `excluded`: effects that no explanation may have.
+std::vector<LikelyEffects> listLikelyEffects(const MeasuredTests& measured, const std::set<std::size_t>& excluded = {});
 
-/// Searches the window at one noise level. `expected`: as above. Models have at most `mostMembers`; the window contains
-/// at least the likeliest. Throws InputError if its cost or the estimates are not finite.
-ModelWindow searchModelWindow(const ScoreProblem& problem, const Noise& noise, std::size_t expected = 0);
+/// Searches the window. `expected`: as above. Models have at most `mostMembers`; the window contains at least the
+/// likeliest. Throws InputError if its cost or the estimates are not finite.
+ModelWindow searchModelWindow(const MeasuredTests& measured, std::size_t expected = 0);
 
 } // namespace naocal

@@ -44,7 +44,7 @@ Outcome evaluateOutcome(const ScoreProblem& problem, const Noise& noise, const s
   part.plausible = problem.plausible;
   part.groups = {problem.groups[group]};
   part.named = 1;
-  const GroupEvidence evidence = computeEvidence(part, noise).groups.front();
+  const GroupEvidence evidence = computeEvidence({part, noise}).groups.front();
   const PoseMisfit misfit = testPoseMisfit(part, noise);
   return {evidence.bayes, std::max(0.0, misfit.chi2 - evidence.likelihoodRatio), misfit.freedom};
 }

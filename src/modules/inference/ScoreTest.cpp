@@ -289,10 +289,7 @@ Eigen::MatrixXd ScoreTest::chi2Decreases(const PoseResiduals& residuals, const E
 }
 
 MeasuredTests::MeasuredTests(const ScoreProblem& problem, const Noise& noise)
-    : MeasuredTests{problem, noise, measuredResiduals(*problem.poses)} {}
-
-MeasuredTests::MeasuredTests(const ScoreProblem& problem, const Noise& noise, const PoseResiduals& measured)
-    : alone{problem, noise}, tests{alone}, outcome{alone(measured, problem.priorScore())},
-      scores{tests.projectedScores(measured, outcome.own).col(0)} {}
+    : residuals{measuredResiduals(*problem.poses)}, alone{problem, noise}, tests{alone},
+      outcome{alone(residuals, problem.priorScore())}, scores{tests.projectedScores(residuals, outcome.own).col(0)} {}
 
 } // namespace naocal

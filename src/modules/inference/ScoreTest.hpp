@@ -104,19 +104,17 @@ private:
   std::vector<double> kept_;
 };
 
-/// The tests of what was measured, at one noise level.
+/// The tests of what was measured, at one noise level. Keeps a reference to `problem`.
 struct MeasuredTests {
   MeasuredTests(const ScoreProblem& problem, const Noise& noise);
   MeasuredTests(const MeasuredTests&) = delete; // `tests` refers to `alone`
   MeasuredTests& operator=(const MeasuredTests&) = delete;
 
+  PoseResiduals residuals;
   NullModel alone;
   ScoreTest tests;
   NullModel::Outcome outcome; // of the model without groups
   Eigen::VectorXd scores;     // projected, one per column
-
-private:
-  explicit MeasuredTests(const ScoreProblem& problem, const Noise& noise, const PoseResiduals& measured);
 };
 
 } // namespace naocal

@@ -25,6 +25,7 @@ inline constexpr double scatterRatio = 9;       // likelihood ratio of joint sca
 
 // Evidence [2 ln(Bayes factor)]
 inline constexpr double equallyLikely = 6; // 1 to 20; below this gap neither of two explanations is preferred
+inline constexpr double asLikely = 2;      // 2.7 to 1; below this gap a rival is worth a word beside what is added
 inline constexpr double veryStrong =
     10; // 150 to 1; beyond it not chance, and beyond it an event is replaced by a lasting effect
 inline constexpr double maxEvidenceGap =

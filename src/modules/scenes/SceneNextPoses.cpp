@@ -240,7 +240,7 @@ NextPoses proposeSceneNextPoses(const FittedModel& fitted, const ModelAmbiguity&
 NextPoses proposeSceneNextPoses(const Measurements& measurements, const Diagnosis& diagnosis,
                                 const DiagnosisOptions& asked, const NextPosesOptions& options) {
   try {
-    const Model model = buildModel(measurements, diagnosis.with, asked.without, asked.effects);
+    const Model model = buildModel(measurements, diagnosis.with, asked.without, asked.calibration.effects);
     CalibrationResult fit = diagnosis.lastFit;
     fit.noise.pose = diagnosis.scatter;
     return proposeSceneNextPoses({measurements, model, fit}, findAmbiguity(diagnosis, measurements.robot, asked),

@@ -70,10 +70,11 @@ std::vector<Hypothesis> listHypotheses(const Measurements& measurements, const s
 
 /// Whether a step takes the error to that of a robot, or as good an error without a far turn.
 bool removesError(const SetUpFit& before, const SetUpFit& after) {
-  constexpr double asGood = 1.1; // of the error: a coarse search ends a little above its minimum
+  constexpr double asGood = 1.1;                   // of the error: a coarse search ends a little above its minimum
+  const bool hadFit = std::isfinite(before.error); // else whatever can be fitted falls
   const bool falls = after.typicalError < threshold::correctionShare * before.typicalError;
   const bool imitates = !before.farPlace.empty() && after.farPlace.empty() && after.error < asGood * before.error;
-  return after.typicalError < soundError && (falls || imitates);
+  return (hadFit ? after.typicalError : after.error) < soundError && (falls || imitates);
 }
 
 /// Captures with some mistakes undone.

@@ -3,6 +3,7 @@
 #include "seal/Seal.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -88,12 +89,12 @@ std::optional<double> timeIn(const std::string& why) {
 Solved::Offset readOffset(const json& unknown) {
   const json& shown = unknown.contains("averaged") ? unknown.at("averaged") : unknown;
   const double value = shown.at("value").get<double>(), sigma = shown.at("sigma").get<double>();
-  Solved::Offset offset{value, sigma, value - 1.96 * sigma, value + 1.96 * sigma, unknown.value("learned", 1.0)};
-  if (shown.contains("interval")) {
-    offset.low = shown.at("interval").at(0).get<double>();
-    offset.high = shown.at("interval").at(1).get<double>();
-  }
-  return offset;
+  const auto limits = [&](const char* key, double sigmas) {
+    return shown.value(key, std::array{value - sigmas * sigma, value + sigmas * sigma});
+  };
+  const auto [low, high] = limits("interval", 1.96);
+  const auto [boundLow, boundHigh] = limits("bound", 3.5);
+  return {value, sigma, low, high, boundLow, boundHigh, unknown.value("learned", 1.0)};
 }
 
 std::optional<Solved> readSolved(const json& file, const char* key) {

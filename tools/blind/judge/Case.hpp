@@ -39,7 +39,10 @@ struct Truth {
 /// A calibration of the set, from RESULT.json.
 struct Solved {
   struct Offset {
-    double value, sigma, low, high, learned; // low, high: its 95 % interval
+    double value, sigma;
+    double low, high;           // of its 95 % interval
+    double boundLow, boundHigh; // of its 99.95 % bound
+    double learned;
   };
   bool usable = false;
   double pValue = 0, rmsPx = 0;

@@ -45,6 +45,24 @@ void addPower(const Tally& tally, Figures& figures) {
   }
 }
 
+void addOffsets(const Tally& tally, Figures& figures) {
+  const std::vector<std::pair<std::string, const Tally::Offsets*>> all{
+      {"sound sets", &tally.sound}, {"effect hidden", &tally.hidden}, {"what is suggested added", &tally.added}};
+  for (const auto& [which, offsets] : all) { // offsets are dependent within a set: intervals are slightly too narrow
+    figures.between("offsets inside their 95 % interval, " + which, 94, 97, offsets->inside);
+    figures.atMost("a result with an offset beyond its 99.95 % bound, " + which, 1, offsets->beyond);
+    figures.atMost("the same, called usable, " + which, 1, offsets->usableBeyond);
+    if (!offsets->widths.empty()) {
+      const double middle = median(offsets->widths);
+      figures.value("width of that bound over 7 sigma, median, " + which, "at most 1.3", middle, offsets->widths.size(),
+                    middle <= 1.3);
+    }
+  }
+  for (const auto& [group, share] : tally.insideByGroup) {
+    figures.between("offsets inside their 95 % interval, " + group, 94, 97, share);
+  }
+}
+
 void addUniformity(const Tally& tally, Figures& figures) {
   for (const auto& [regime, numbers] : tally.pValues) {
     if (numbers.size() < fewestForUniformity) { // too few for a test

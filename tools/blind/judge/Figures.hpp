@@ -24,6 +24,9 @@ Cell cellAt(const Tally& tally, double size);
 /// Detection against the best that any test can do, for noncentralities where it is less than certain.
 void addPower(const Tally& tally, Figures& figures);
 
+/// Intervals and bounds of offsets, with and without hidden effects.
+void addOffsets(const Tally& tally, Figures& figures);
+
 /// Whether solve's p-values on sound sets are uniform, by noise regime.
 void addUniformity(const Tally& tally, Figures& figures);
 

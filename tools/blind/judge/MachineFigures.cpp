@@ -29,11 +29,7 @@ std::vector<Required> machineFigures(const Tally& tally) {
     figures.atLeast("right class at noncentrality 40 and 80, " + witness, 95, cell.inClass);
   }
   figures.between("95 % interval of the size covers the truth", 90, 98, poolSizes(tally).covered);
-  figures.between("offsets inside their 95 % interval, sound sets", 90, 98, tally.offsetsSound);
-  figures.between("offsets inside it, effect hidden, nothing added", 90, 98, tally.offsetsHidden);
-  figures.between("offsets inside it, effect hidden, what is suggested added", 90, 98, tally.offsetsAfter);
-  figures.atMost("called usable with an offset beyond 3.5 sigma, effect hidden", 2, tally.wronglyUsable);
-  figures.atMost("the same after adding what is suggested", 2, tally.wronglyUsableAfter);
+  addOffsets(tally, figures);
   figures.atMost("extra suggestions, neither truth nor class, one effect", 3, tally.extraNamed);
   for (const auto& [kind, share] : tally.culpritNamed) {
     figures.atLeast(kind + ": named", 95, share);

@@ -102,23 +102,26 @@ bool rightDriver(const Truth::Effect& effect, const Answer& answer) {
 }
 
 /// Checks a result's offsets, except those dominated by their priors.
-void markOffsets(const Truth& truth, const std::optional<Solved>& solved, std::optional<bool>& wronglyUsable,
-                 std::vector<bool>& inside) {
-  constexpr double told = 0.5, far = 3.5; // sigma
+Marks::Offsets markOffsets(const Truth& truth, const std::optional<Solved>& solved) {
+  constexpr double told = 0.5;
+  Marks::Offsets result;
   if (!solved) {
-    return;
+    return result;
   }
-  bool wrong = false;
+  bool beyond = false;
   for (const auto& [joint, offset] : solved->offsets) {
     const auto known = truth.offsets.find(joint);
     if (known != truth.offsets.end() && offset.learned > told) {
-      inside.push_back(offset.low <= known->second && known->second <= offset.high);
-      wrong = wrong || std::abs(offset.value - known->second) > far * offset.sigma;
+      result.inside.push_back(offset.low <= known->second && known->second <= offset.high);
+      beyond = beyond || known->second < offset.boundLow || offset.boundHigh < known->second;
+      result.widths.push_back((offset.boundHigh - offset.boundLow) / (7 * offset.sigma));
     }
   }
-  if (solved->usable && !inside.empty()) {
-    wronglyUsable = wrong;
+  if (!result.inside.empty()) {
+    result.beyond = beyond;
+    result.usableBeyond = solved->usable ? std::optional{beyond} : std::nullopt;
   }
+  return result;
 }
 
 /// Whether the text names the event: "board B", "stance 0" or the robot or its foot, or the joint.
@@ -225,8 +228,8 @@ Marks markAnswer(const Case& one) {
       answer.verdict == "effect-missing" || answer.verdict == "unknown-effect" || answer.verdict == "bad-captures";
   result.unknownSaid = answer.verdict == "unknown-effect";
   result.misfitSaid = answer.verdict == "inconclusive";
-  markOffsets(truth, answer.first, result.wronglyUsable, result.offsetsInside);
-  markOffsets(truth, answer.suggestedAdded, result.wronglyUsableAfter, result.offsetsInsideAfter);
+  result.given = markOffsets(truth, answer.first);
+  result.added = markOffsets(truth, answer.suggestedAdded);
   if (answer.first && answer.fixedNoisePx) {
     result.rmsRatio = answer.first->rmsPx / *answer.fixedNoisePx;
   }

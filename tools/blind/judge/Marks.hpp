@@ -17,14 +17,20 @@ struct Marks {
   std::optional<int> extra;                          // suggestions beyond them
   std::optional<bool> placeAndDriver;                // hidden effect outside the catalogue
   std::optional<bool> saidUntestable, saidCorrupted;
-  std::optional<bool> wronglyUsable, wronglyUsableAfter; // results called usable: an offset is more than 3.5 sigma off
-  std::vector<bool> offsetsInside, offsetsInsideAfter;   // per joint: the 95 % interval contains the truth
-  std::optional<double> rmsRatio;                        // first fit relative to one with the default noise levels
-  std::optional<bool> extraNamed;                        // a suggestion is neither the effect nor in its class
-  std::optional<bool> blamedOnCaptures;                  // an effect reported as bad captures or scatter
-  std::optional<bool> eventNamed, eventTimed;            // the event is identified, and its time
-  std::optional<bool> culpritNamed;                      // the wrong set-up, or the bad reading and no effect
-  std::optional<bool> jitterAdequate, jitterLevel;       // no effect missing, and the level within 20 %
+  /// Offsets that the captures tell, of a result as given and after adding what is suggested.
+  struct Offsets {
+    std::vector<bool> inside;         // per joint: the 95 % interval contains the truth
+    std::optional<bool> beyond;       // a truth lies beyond its 99.95 % bound
+    std::optional<bool> usableBeyond; // the same of a result called usable
+    std::vector<double> widths;       // per joint: width of the bound over 7 sigma
+  };
+  Offsets given, added;
+  std::optional<double> rmsRatio;                  // first fit relative to one with the default noise levels
+  std::optional<bool> extraNamed;                  // a suggestion is neither the effect nor in its class
+  std::optional<bool> blamedOnCaptures;            // an effect reported as bad captures or scatter
+  std::optional<bool> eventNamed, eventTimed;      // the event is identified, and its time
+  std::optional<bool> culpritNamed;                // the wrong set-up, or the bad reading and no effect
+  std::optional<bool> jitterAdequate, jitterLevel; // no effect missing, and the level within 20 %
 };
 
 /// Compares an answer with the truth.

@@ -54,17 +54,17 @@ bool isOfCamera(const Truth& truth) {
 void addHonesty(const Case& one, const Marks& marked, Tally& result) {
   const Truth& truth = one.truth;
   if (truth.group == "control" || truth.group == "decoy" || truth.group == "jitter") {
-    addAll(marked.offsetsInside, result.offsetsSound);
+    result.sound.add(marked.given);
+    addAll(marked.given.inside, result.insideByGroup[truth.group]);
     if (one.answer.first) {
       const std::string regime = truth.pictures ? "pictures" : truth.jitter > 0 ? "jitter" : truth.noise;
       result.pValues[regime].push_back(one.answer.first->pValue);
     }
   }
   if (hidesOne(truth) || truth.group == "pair" || truth.group == "outside") {
-    result.wronglyUsable.add(marked.wronglyUsable);
-    result.wronglyUsableAfter.add(marked.wronglyUsableAfter);
-    addAll(marked.offsetsInside, result.offsetsHidden);
-    addAll(marked.offsetsInsideAfter, result.offsetsAfter);
+    result.hidden.add(marked.given);
+    addAll(marked.given.inside, result.insideByGroup[truth.group]);
+    result.added.add(marked.added);
   }
   constexpr double large = 1.5; // plausible sizes
   if (truth.plausible > large && marked.rmsRatio) {
@@ -105,12 +105,7 @@ template <typename Map> json sharesJson(const Map& shares) {
 
 /// Requirements for wrong models or readings: results, causes and events.
 void addHonesty(const Tally& tally, Figures& figures) {
-  figures.atMost("called usable with an offset beyond 3.5 sigma, effect hidden", 2, tally.wronglyUsable);
-  figures.atMost("... after adding what is suggested", 2, tally.wronglyUsableAfter);
-  // offsets are dependent within a set: the band is slightly too narrow
-  figures.between("offsets inside their 95 % interval, sound sets", 93, 97, tally.offsetsSound);
-  figures.between("... effect hidden, nothing added", 93, 97, tally.offsetsHidden);
-  figures.between("... effect hidden, what is suggested added", 93, 97, tally.offsetsAfter);
+  addOffsets(tally, figures);
   const std::size_t large = tally.rmsRatios.size();
   if (large > 0) {
     const double middle = median(tally.rmsRatios);
@@ -150,6 +145,13 @@ double Share::low() const {
 double Share::high() const {
   constexpr double tail = 0.025;
   return all == 0 ? 1 : Binomial::find_upper_bound_on_p(static_cast<double>(all), static_cast<double>(yes), tail);
+}
+
+void Tally::Offsets::add(const Marks::Offsets& marked) {
+  addAll(marked.inside, inside);
+  beyond.add(marked.beyond);
+  usableBeyond.add(marked.usableBeyond);
+  widths.insert(widths.end(), marked.widths.begin(), marked.widths.end());
 }
 
 void Cell::add(const Marks& one) {

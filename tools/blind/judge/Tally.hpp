@@ -46,11 +46,17 @@ struct Tally {
   std::map<double, Cell> bySize;                                           // by target noncentrality; 0: physical sizes
   std::map<std::string, Cell> byFamily;                                    // noncentrality 20 and more
   std::map<std::tuple<std::string, double, int, std::string>, Cell> cells; // family, size, poses, noise
-  Cell pictures;                                   // rendered sets, excluded from the sizes above
-  std::map<double, Cell> byPlausible;              // by plausible size: small, medium, large
-  Share wronglyUsable, wronglyUsableAfter;         // results called usable, hidden effects
-  Share offsetsSound, offsetsHidden, offsetsAfter; // inside their interval; sound sets, hidden effects, what is
-                                                   // suggested added
+  Cell pictures;                      // rendered sets, excluded from the sizes above
+  std::map<double, Cell> byPlausible; // by plausible size: small, medium, large
+  /// Offsets of many results.
+  struct Offsets {
+    Share inside;               // offsets within their 95 % interval
+    Share beyond, usableBeyond; // results with an offset beyond its 99.95 % bound: all, and those called usable
+    std::vector<double> widths; // of bounds over 7 sigma
+    void add(const Marks::Offsets& marked);
+  };
+  Offsets sound, hidden, added;               // sound sets; hidden effects, as given and after adding what is suggested
+  std::map<std::string, Share> insideByGroup; // offsets within their 95 % interval, results as given
   Share cameraBlamed, extraNamed, twinClass;
   std::vector<double> rmsRatios; // first fit relative to the default noise levels, large effects
   std::map<std::string, Share> eventNamed, eventTimed, jitterAdequate, jitterLevel; // by event, by repeat kind

@@ -56,9 +56,10 @@ ModelRevision initialRevision(const Dataset& opened, const Measurements& measure
 }
 
 /// Calibrates. Where no fit is possible, throws InputError with the set-up error that a diagnosis suspects, if any.
-CalibrationResult calibrateOrSuspect(const Measurements& measurements, const Model& model) {
+CalibrationResult calibrateOrSuspect(const Measurements& measurements, const Model& model,
+                                     const CalibrationOptions& options) {
   try {
-    return calibrateChecked(measurements, model);
+    return calibrateChecked(measurements, model, options);
   } catch (const WrongSetUpError& error) {
     throw InputError{fmt::format("{} These captures cannot be fitted as they are: mend them with 'naocal solve SET "
                                  "--with {} -o result.json'. Then open that result here.",
@@ -131,7 +132,7 @@ void AnalysisSession::enter(Session session) {
   MendedMeasurements mended = mendMeasurements(measurements_, rung.with);
   const Measurements& measurements = *mended.measurements;
   const Model model = buildModel(measurements, mended.effects, rung.without, effects(rung));
-  const CalibrationResult result = calibrateOrSuspect(measurements, model);
+  const CalibrationResult result = calibrateOrSuspect(measurements, model, {.effects = effects(rung)});
   rung.rmsPx = result.rmsPx;
   errors_ = errorUnitOf(measurements, result.noise);
   ResultSources inputs = opened_.inputs;
@@ -180,7 +181,7 @@ DiagnosisOptions AnalysisSession::options(const ModelRevision& rung) const {
   DiagnosisOptions result;
   result.with = mended_.effects;
   result.without = rung.without;
-  result.effects = effects(rung);
+  result.calibration.effects = effects(rung);
   return result;
 }
 

@@ -43,7 +43,7 @@ nlohmann::json validate(const DiagnoseCommand& command, const Measurements& meas
   }
   const FoldErrors errors =
       predictFolds(*measurements.sets, measurements.robot, command.samePlace, command.folds,
-                   {command.options.with, command.options.without, suggested, command.options.effects});
+                   {command.options.with, command.options.without, suggested, command.options.calibration.effects});
   if (command.json != "-") {
     const auto size = [](const PredictionErrors& error) {
       return error.pixels.empty() ? formatSizes(summarizeReadings(error.readings))
@@ -64,7 +64,7 @@ void readModel(DiagnoseCommand& command, const Robot& robot) {
   DiagnosisOptions& options = command.options;
   options.with.insert(options.with.end(), file.with.begin(), file.with.end());
   options.without.insert(options.without.end(), file.without.begin(), file.without.end());
-  options.effects = std::move(file.effects);
+  options.calibration.effects = std::move(file.effects);
   command.definitions = file.definitions;
 }
 
@@ -72,7 +72,7 @@ void readModel(DiagnoseCommand& command, const Robot& robot) {
 NextPoses asked(const DiagnoseCommand& command, const Measurements& measurements, const Diagnosis& diagnosis) {
   NextPosesOptions options = command.next;
   options.count = command.json.empty() && command.poses.empty() ? 0 : options.count;
-  options.seed = command.options.candidateTests.seed;
+  options.seed = command.options.calibration.candidateTests.seed;
   return proposeSceneNextPoses(measurements, diagnosis, command.options, options);
 }
 
@@ -181,12 +181,12 @@ void addDiagnose(CLI::App& app, int& exitCode) {
       ->check(wholeNumber(0, 100))
       ->capture_default_str();
   diagnoser
-      ->add_option("--seed", command->options.candidateTests.seed,
+      ->add_option("--seed", command->options.calibration.candidateTests.seed,
                    "seed of the noise simulations and of the candidate poses")
       ->group(expertOptions)
       ->capture_default_str();
   diagnoser
-      ->add_option("--draws", command->options.candidateTests.draws,
+      ->add_option("--draws", command->options.calibration.candidateTests.draws,
                    "number of noise simulations behind the false-alarm rate")
       ->group(expertOptions)
       ->check(wholeNumber(19, 100000))

@@ -65,16 +65,12 @@ void printMending(const std::vector<WrongSetUp>& setUps, const GivenOptions& asI
 
 /// The result of captures that cannot be fitted as they are: what is wrong with them, and no estimates.
 nlohmann::json unfittedJson(const WrongSetUpError& error, const ResultSources& inputs) {
-  nlohmann::json suspicious = nlohmann::json::array();
-  for (const DataAnomaly& anomaly : suspect(error.setUps)) {
-    suspicious.push_back(anomalyJson(anomaly));
-  }
   return withFormat("naocal-result", {{"converged", false},
                                       {"verdict", toString(ResultVerdict::doNotUse)},
                                       {"usable", false},
                                       {"sentence", error.what()},
                                       {"setUps", setUpsJson(error.setUps)},
-                                      {"suspicious", std::move(suspicious)},
+                                      {"suspicious", suspiciousJson(suspect(error.setUps))},
                                       {"warnings", nlohmann::json::array()},
                                       {"effects", nlohmann::json::array()},
                                       {"placements", nlohmann::json::object()},
@@ -93,6 +89,7 @@ int solve(SolveCommand& command) {
   given.inputs.setUps = mendSetUps(asked.with, given.robot, given.sets);
   const Measurements measurements = buildMeasurements(std::move(given.sets), given.robot, command.samePlace);
   const Model model = buildModel(measurements, asked.with, asked.without, asked.effects);
+  command.options.effects = std::move(asked.effects);
   if (!command.start.empty()) {
     SearchStart start = readStart(command.start, measurements, model);
     command.options.start = std::move(start.unknowns);

@@ -18,6 +18,12 @@
 
 namespace naocal {
 
+struct CandidateTestOptions {
+  Eigen::Index draws = 199; // bootstrap draws of pure noise for the null distribution of the p-value
+  std::uint64_t seed = 1;
+  bool map = true; // includes curves of joints and mounts over drivers
+};
+
 struct CalibrationOptions {
   Noise noise;               // assumed where the captures do not determine it
   bool pixelGiven = false;   // `noise.pixel` is user-supplied: kept unless repeats determine it
@@ -28,10 +34,9 @@ struct CalibrationOptions {
   /// the evidence. If false, noise levels assume a complete model.
   bool testMissingEffects = true;
   std::vector<Effect> effects = allEffects(); // candidates for missing effects
-  Eigen::Index draws = 199;                   // bootstrap draws of pure noise for the p-value
-  std::uint64_t drawSeed = 1;
-  bool robust = true;           // downweights and lists doubtful corners
-  bool excludeDisplaced = true; // if robust, also excludes observations whose board was displaced
+  CandidateTestOptions candidateTests;        // of a fitted model
+  bool robust = true;                         // downweights and lists doubtful corners
+  bool excludeDisplaced = true;               // if robust, also excludes observations whose board was displaced
   bool alternate = false; // alternates joints and cameras as Adikari's thesis does, instead of fitting all at once
   /// Of each first search; the fits that continue it have their own limit.
   int maxIterations = LevenbergMarquardtOptions{}.maxIterations;

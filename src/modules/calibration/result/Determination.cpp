@@ -111,26 +111,6 @@ bool isLearnedGiven(const FittedModel& fitted, const Term& term, std::size_t i, 
   return sigmaGiven(fitted, term.first + i, isKnown) < (1 - threshold::learned) * term.effect.unknowns[i].sigma;
 }
 
-/// Joints that stand still, if their offsets were asked for and one of them is not learned.
-void addStillJoints(const FittedModel& fitted, std::vector<std::string>& sentences) {
-  std::vector<std::string> names;
-  bool isUnknown = false;
-  for (const Term& term : fitted.model.terms()) {
-    if (isOffset(term) && isAsked(term) && isStill(term.placeIndex, fitted.measurements)) {
-      names.push_back(describeUnknown(term, 0));
-      isUnknown |= !isLearned(fitted, term.first);
-    }
-  }
-  if (isUnknown) {
-    const bool single = names.size() == 1;
-    sentences.push_back(
-        fmt::format("{} joint{} never moved: {}; without motion no offset can be learned: add poses that "
-                    "move {}, or leave {} out",
-                    names.size(), single ? "" : "s", joinWords(names), single ? "it" : "them",
-                    single ? "its offset" : "their offsets"));
-  }
-}
-
 void addOffset(const FittedModel& fitted, const Term& term, std::vector<std::string>& sentences) {
   constexpr double far = 0.3; // [rad, m]: a joint that moves so far would show, if what is measured moved with it
   const Estimate& estimate = fitted.fit.estimates[term.first];
@@ -183,7 +163,9 @@ HeldOffsets findHeldOffsets(const FittedModel& fitted) {
 
 std::vector<std::string> listUndetermined(const FittedModel& fitted, const HeldOffsets& held) {
   std::vector<std::string> sentences;
-  addStillJoints(fitted, sentences);
+  if (const auto still = describeStillJoints(fitted)) {
+    sentences.push_back(*still);
+  }
   for (const Term& term : fitted.model.terms()) {
     if (!isAsked(term)) {
       continue;
@@ -196,6 +178,25 @@ std::vector<std::string> listUndetermined(const FittedModel& fitted, const HeldO
     }
   }
   return sentences;
+}
+
+std::optional<std::string> describeStillJoints(const FittedModel& fitted) {
+  std::vector<std::string> names;
+  bool isUnknown = false;
+  for (const Term& term : fitted.model.terms()) {
+    if (isOffset(term) && isAsked(term) && isStill(term.placeIndex, fitted.measurements)) {
+      names.push_back(describeUnknown(term, 0));
+      isUnknown |= !isLearned(fitted, term.first);
+    }
+  }
+  if (!isUnknown) {
+    return std::nullopt;
+  }
+  const bool single = names.size() == 1;
+  return fmt::format("{} joint{} never moved: {}; without motion no offset can be learned: add poses that move {}, or "
+                     "leave {} out",
+                     names.size(), single ? "" : "s", joinWords(names), single ? "it" : "them",
+                     single ? "its offset" : "their offsets");
 }
 
 std::string formatSigma(const Term& offset, double sigma) {

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,10 @@ HeldOffsets findHeldOffsets(const FittedModel& fitted);
 ///     which they can only be traded. Of an effect with several unknowns one suffices, as the others stay within what
 ///     is plausible; not of a camera's mount on a robot without URDF, whose unknown placements never imitate a mount.
 std::vector<std::string> listUndetermined(const FittedModel& fitted, const HeldOffsets& held);
+
+/// Joints that stand still, if their offsets were asked for and one of them is not learned, as one sentence with
+/// advice.
+std::optional<std::string> describeStillJoints(const FittedModel& fitted);
 
 /// An offset's sigma with its unit: "5.7°", "3.1 mm".
 std::string formatSigma(const Term& offset, double sigma);

@@ -140,34 +140,6 @@ std::string shortName(const std::string& unknown) {
   return unknown.starts_with(offset) ? unknown.substr(offset.size(), unknown.rfind('.') - offset.size()) : unknown;
 }
 
-} // namespace
-
-json averagedJson(const Averaged& averaged) {
-  json result{{"value", averaged.value},
-              {"sigma", averaged.sigma},
-              {"interval", averaged.interval},
-              {"bound", averaged.bound},
-              {"shoulder", nullptr}};
-  if (const auto& shoulder = averaged.shoulder) {
-    result["shoulder"] = {{"effects", shoulder->effects},
-                          {"without", shoulder->without},
-                          {"weight", shoulder->weight},
-                          {"value", shoulder->value}};
-  }
-  return result;
-}
-
-json taskJson(const CalibrationResult& result) {
-  if (!result.task) {
-    return nullptr;
-  }
-  return {{"what", result.task->what},
-          {"unit", "m"},
-          {"sigma", result.task->sigma},
-          {"bound", result.task->bound},
-          {"tolerance", result.task->tolerance}};
-}
-
 json anomalyJson(const DataAnomaly& anomaly) {
   json entry{{"why", anomaly.why}};
   if (anomaly.capture) {
@@ -197,6 +169,40 @@ json anomalyJson(const DataAnomaly& anomaly) {
     entry["between"] = {anomaly.when->since, anomaly.when->until};
   }
   return entry;
+}
+
+} // namespace
+
+json averagedJson(const Averaged& averaged) {
+  json result{{"value", averaged.value},
+              {"sigma", averaged.sigma},
+              {"interval", averaged.interval},
+              {"bound", averaged.bound},
+              {"shoulder", nullptr}};
+  if (const auto& shoulder = averaged.shoulder) {
+    result["shoulder"] = {{"effects", shoulder->effects},
+                          {"without", shoulder->without},
+                          {"weight", shoulder->weight},
+                          {"value", shoulder->value}};
+  }
+  return result;
+}
+
+json taskJson(const CalibrationResult& result) {
+  if (!result.task) {
+    return nullptr;
+  }
+  return {{"what", result.task->what},
+          {"unit", "m"},
+          {"sigma", result.task->sigma},
+          {"bound", result.task->bound},
+          {"tolerance", result.task->tolerance}};
+}
+
+json suspiciousJson(const std::vector<DataAnomaly>& anomalies) {
+  json list = json::array();
+  std::transform(anomalies.begin(), anomalies.end(), std::back_inserter(list), anomalyJson);
+  return list;
 }
 
 json undetectableJson(const CalibrationResult& result) {
@@ -447,10 +453,7 @@ json resultJson(const FittedModel& fitted, const ResultSources& inputs) {
                   {"cameras", camerasJson(*fitted.measurements.sets)},
                   {"sightings", residualsJson(fitted.measurements, fitted.fit)}});
   result["reasons"] = fitted.fit.reasons;
-  result["suspicious"] = json::array();
-  for (const DataAnomaly& anomaly : fitted.fit.suspicious) {
-    result["suspicious"].push_back(anomalyJson(anomaly));
-  }
+  result["suspicious"] = suspiciousJson(fitted.fit.suspicious);
   result["rejected"] = rejectedJson(fitted.fit);
   if (fitted.fit.negligible) {
     result["negligible"] = {{"label", fitted.fit.negligible->label},

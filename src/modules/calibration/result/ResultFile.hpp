@@ -35,8 +35,8 @@ nlohmann::json setUpsJson(const std::vector<WrongSetUp>& setUps);
 nlohmann::json averagedJson(const Averaged& averaged);
 nlohmann::json taskJson(const CalibrationResult& result);
 nlohmann::json undetectableJson(const CalibrationResult& result);
-/// A suspicious capture, board or setting, as results and diagnoses list it.
-nlohmann::json anomalyJson(const DataAnomaly& anomaly);
+/// Suspicious captures, boards and settings, as results and diagnoses list them.
+nlohmann::json suspiciousJson(const std::vector<DataAnomaly>& anomalies);
 
 /// RESULT.json: estimates with uncertainty, assumptions, and the prediction of every corner for reports.
 nlohmann::json resultJson(const FittedModel& fitted, const ResultSources& inputs);

@@ -187,15 +187,54 @@ void warnOfOutliers(CalibrationResult& result) {
   warnOfDoubtful(corners, "corner", result);
 }
 
+/// What `some` names and `others` does not.
+std::vector<std::string> namedOnlyIn(const std::vector<std::string>& some, const std::vector<std::string>& others) {
+  std::vector<std::string> result;
+  std::copy_if(some.begin(), some.end(), std::back_inserter(result),
+               [&](const std::string& one) { return std::find(others.begin(), others.end(), one) == others.end(); });
+  return result;
+}
+
+/// The named effects that explain almost as well in place of one of the likeliest explanation's, the likeliest of each:
+/// "; with b@x instead of a@x 12 %". `whole`: weight of all models that count.
+std::string formatRivals(const Explanation& likeliest, const std::vector<Explanation>& explanations, double whole) {
+  constexpr std::size_t most = 2;
+  const double least = likeliest.weight * std::exp(-threshold::equallyLikely / 2);
+  std::vector<std::string> replaced;
+  std::string text;
+  for (const Explanation& other : explanations) {
+    const std::vector<std::string> instead = namedOnlyIn(other.effects, likeliest.effects),
+                                   of = namedOnlyIn(likeliest.effects, other.effects);
+    if (other.weight > least && instead.size() == 1 && of.size() == 1 && replaced.size() < most &&
+        instead.front().find('@') != std::string::npos &&
+        std::find(replaced.begin(), replaced.end(), of.front()) == replaced.end()) {
+      replaced.push_back(of.front());
+      text += fmt::format("; with {} instead of {} {:.0f} %", instead.front(), of.front(), 100 * other.weight / whole);
+    }
+  }
+  return text;
+}
+
 /// The most probable cause of the misfit, if something is missing.
 std::string formatCause(const CalibrationResult& result, bool missing) {
-  if (!missing || result.explanations.empty() || result.explanations.front().effects.empty()) {
+  // the likeliest that names something: that nothing is missing was just ruled out
+  const auto found = std::find_if(result.explanations.begin(), result.explanations.end(),
+                                  [](const Explanation& one) { return !one.effects.empty(); });
+  if (!missing || found == result.explanations.end()) {
     return "no single cause stands out";
   }
-  const Explanation& likeliest = result.explanations.front();
-  return fmt::format("most probable: {}{}{} (posterior probability {:.0f} % among the models considered)",
+  const Explanation& likeliest = *found;
+  const bool countsAll = found == result.explanations.begin();
+  double whole = 0;
+  for (const Explanation& one : result.explanations) {
+    whole += one.effects.empty() ? 0 : one.weight;
+  }
+  whole = countsAll ? 1 : whole;
+  return fmt::format("most probable: {}{}{} (posterior probability {:.0f} % among the models {}{})",
                      joinWords(describeMissing(likeliest.effects)), likeliest.without.empty() ? "" : " instead of ",
-                     fmt::join(likeliest.without, " and "), 100 * likeliest.weight);
+                     fmt::join(likeliest.without, " and "), 100 * likeliest.weight / whole,
+                     countsAll ? "considered" : "in which something is missing",
+                     formatRivals(likeliest, result.explanations, whole));
 }
 
 /// Why a result must not be used whose error has an unknown cause.

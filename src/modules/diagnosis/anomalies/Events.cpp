@@ -399,7 +399,7 @@ std::optional<EventEstimate> estimateEvent(const TransientEvent& event, const Fi
   CalibrationOptions options;
   options.noise = fitted.fit.noise;
   options.excludeDisplaced = false;
-  options.draws = 0;
+  options.candidateTests.draws = 0;
   options.start = mapParameters(fitted.model, fitted.fit.unknowns, larger);
   options.start->tail(start.size()) = start;
   try {

@@ -77,7 +77,7 @@ std::vector<double> findBestAtAnyLevel(const CandidateTests& candidateTests, con
   const double first = levels.size() > 1 ? devianceAt(levels.front()) : 0;
   for (std::size_t level = 1; level < levels.size(); ++level) {
     const double deviance = devianceAt(levels[level]) + pixelDeviance(*problem.poses, levels[level], levels.front());
-    const Evidence evidence = computeEvidence(problem, levels[level]);
+    const Evidence evidence = computeEvidence({problem, levels[level]});
     for (std::size_t i = 0; i < result.size(); ++i) {
       result[i] = std::max(result[i], evidence.groups[i].bayes - (deviance - first));
     }

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "calibration/CandidateTests.hpp"
 #include "diagnosis/anomalies/Events.hpp"
-#include "diagnosis/evidence/CandidateTests.hpp"
 
 #include <optional>
 #include <string>

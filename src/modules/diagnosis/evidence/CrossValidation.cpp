@@ -1,6 +1,6 @@
 #include "diagnosis/evidence/CrossValidation.hpp"
 
-#include "diagnosis/evidence/CandidateTests.hpp"
+#include "calibration/CandidateTests.hpp"
 #include "inference/ScoreProblem.hpp"
 #include "inference/ScoreTest.hpp"
 #include "math/LinearAlgebra.hpp"

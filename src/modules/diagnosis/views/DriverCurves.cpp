@@ -164,7 +164,7 @@ void fitExpression(const CandidateTests& candidateTests, const Measurements& mea
   for (const DriverBasis& shape : columns.cells) {
     problem.groups.push_back({problem.candidates + shape.first, shape.count});
   }
-  const Evidence evidence = computeEvidence(problem, candidateTests.noise());
+  const Evidence evidence = computeEvidence({problem, candidateTests.noise()});
   const auto best = std::max_element(evidence.groups.begin(), evidence.groups.end(),
                                      [](const auto& a, const auto& b) { return a.bayes < b.bayes; });
   if (best == evidence.groups.end()) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "diagnosis/evidence/CandidateTests.hpp"
+#include "calibration/CandidateTests.hpp"
 
 #include <Eigen/Core>
 #include <cstddef>

@@ -203,9 +203,12 @@ std::vector<double> posteriorProbabilities(const std::vector<double>& evidence) 
 }
 
 ModelAmbiguity findAmbiguity(const Diagnosis& diagnosis, const Robot& robot, const DiagnosisOptions& asked) {
-  ModelAmbiguity question{
-      .suspects = {}, .with = diagnosis.with, .without = asked.without, .effects = asked.effects, .why = {}};
-  if (diagnosis.verdict == Verdict::badCaptures) {
+  ModelAmbiguity question{.suspects = {},
+                          .with = diagnosis.with,
+                          .without = asked.without,
+                          .effects = asked.calibration.effects,
+                          .why = {}};
+  if (diagnosis.verdict == Verdict::badCaptures && !diagnosis.hasStillJoints) {
     question.whyNone = "put the captures right first, further ones would suffer from the same";
     return question;
   }

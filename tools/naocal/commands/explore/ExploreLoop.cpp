@@ -83,7 +83,7 @@ ModelRevision ExploreLoop::questioned(ModelRevision rung) {
 
 DiagnosisOptions ExploreLoop::options(const ModelRevision& rung, const MendedMeasurements& mended) const {
   DiagnosisOptions options{.with = mended.effects, .without = rung.without};
-  options.effects = effects(rung);
+  options.calibration.effects = effects(rung);
   options.extend = false;
   return options;
 }
@@ -197,7 +197,7 @@ Json ExploreLoop::solvedJson(const ResultSources& inputs) const {
   const ModelRevision& rung = session_.current();
   const Measurements& measurements = *mended_.measurements;
   const Model model = buildModel(measurements, mended_.effects, rung.without, effects(rung));
-  const CalibrationResult result = calibrateChecked(measurements, model);
+  const CalibrationResult result = calibrateChecked(measurements, model, {.effects = effects(rung)});
   return resultJson({measurements, model, result}, inputs);
 }
 

@@ -1,4 +1,4 @@
-#include "diagnosis/evidence/CandidateTests.hpp"
+#include "calibration/CandidateTests.hpp"
 
 #include "math/LinearAlgebra.hpp"
 
@@ -23,12 +23,13 @@ std::vector<std::size_t> sortByBayes(std::span<const GroupEvidence> groups) {
 
 CandidateTests::CandidateTests(const FittedModel& fitted, const std::vector<Term>& candidates,
                                const CandidateTestOptions& options)
-    : noise_{fitted.fit.noise}, wide_{fitted.measurements,
-                                      fitted.model,
-                                      candidates,
-                                      {fitted.fit.state, fitted.fit.noise, fitted.fit.loss},
-                                      options.map},
-      evidence_{computeEvidence(wide_.problem(), noise_, options.draws, options.seed)} {}
+    : wide_{fitted.measurements,
+            fitted.model,
+            candidates,
+            {fitted.fit.state, fitted.fit.noise, fitted.fit.loss},
+            options.map},
+      measured_{wide_.problem(), fitted.fit.noise}, evidence_{computeEvidence(measured_, options.draws, options.seed)} {
+}
 
 std::vector<std::size_t> CandidateTests::candidatesByEvidence() const {
   return sortByBayes({evidence_.groups.data(), candidates().size()});

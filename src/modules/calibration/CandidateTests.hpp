@@ -1,6 +1,6 @@
 #pragma once
 
-#include "calibration/Calibration.hpp"
+#include "calibration/result/CalibrationResult.hpp"
 #include "inference/Evidence.hpp"
 #include "inference/WideModel.hpp"
 
@@ -9,12 +9,6 @@
 #include <vector>
 
 namespace naocal {
-
-struct CandidateTestOptions {
-  Eigen::Index draws = 199; // bootstrap draws of pure noise for the alarm's null distribution
-  std::uint64_t seed = 1;
-  bool map = true; // includes curves of joints and mounts over drivers
-};
 
 /// Tests of a fitted model: which candidate effect, and which curve of a joint or mount over a driver, would explain
 /// the residuals. All linearised at the fit and at its noise levels, so that a candidate's evidence does not depend on
@@ -28,9 +22,11 @@ public:
   const std::vector<PoseRows>& poses() const { return wide_.poses(); }
   const std::vector<MountCurve>& mounts() const { return wide_.mounts(); }
   const DriverColumns& map() const { return wide_.map(); }
+  const WideModel& wide() const { return wide_; }
   const ScoreProblem& problem() const { return wide_.problem(); }
+  const MeasuredTests& measured() const { return measured_; }
   const Evidence& evidence() const { return evidence_; }
-  const Noise& noise() const { return noise_; }
+  const Noise& noise() const { return measured_.alone.noise(); }
 
   /// Indices of the candidates, likeliest first.
   std::vector<std::size_t> candidatesByEvidence() const;
@@ -55,8 +51,8 @@ public:
   const GroupEvidence& curveEvidence(std::size_t curve) const { return evidence_.groups[candidates().size() + curve]; }
 
 private:
-  Noise noise_;
   WideModel wide_;
+  MeasuredTests measured_;
   Evidence evidence_;
 };
 
