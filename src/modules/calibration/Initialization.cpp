@@ -257,20 +257,13 @@ Eigen::Vector2d meetFloor(const RigidTransform& soleFromOptical, const Eigen::Ma
   return (soleFromOptical.translation + reach * ray).head<2>();
 }
 
-/// The placement that brings points of a board closest to where they were seen on the floor (Procrustes in the plane).
+/// The placement that brings points of a board closest to where they were seen on the floor (Umeyama, 2-D).
 OnFloor placeOnFloor(const std::vector<Eigen::Vector2d>& onBoard, const std::vector<Eigen::Vector2d>& onFloor) {
-  const auto count = static_cast<double>(onBoard.size());
-  const Eigen::Vector2d none = Eigen::Vector2d::Zero();
-  const Eigen::Vector2d middle = std::accumulate(onBoard.begin(), onBoard.end(), none) / count,
-                        seen = std::accumulate(onFloor.begin(), onFloor.end(), none) / count;
-  double along = 0, across = 0;
-  for (std::size_t i = 0; i < onBoard.size(); ++i) {
-    const Eigen::Vector2d p = onBoard[i] - middle, q = onFloor[i] - seen;
-    along += p.dot(q);
-    across += p.x() * q.y() - p.y() * q.x();
-  }
-  const double yaw = std::atan2(across, along);
-  return compose({seen.x(), seen.y(), yaw}, {-middle.x(), -middle.y(), 0});
+  const auto columns = [](const std::vector<Eigen::Vector2d>& points) {
+    return Eigen::Matrix2Xd::Map(points.front().data(), 2, eigenIndex(points.size()));
+  };
+  const Eigen::Matrix3d motion = Eigen::umeyama(columns(onBoard), columns(onFloor), false);
+  return {motion(0, 2), motion(1, 2), std::atan2(motion(1, 0), motion(0, 0))};
 }
 
 /// A board's placement in the support sole's frame: from its pose in the camera, or, where its corners do not determine

@@ -45,19 +45,11 @@ struct PlaneMotion {
 
 /// Best rotation and translation in the plane (Umeyama, 2-D).
 PlaneMotion alignPoints(const std::vector<Eigen::Vector2d>& from, const std::vector<Eigen::Vector2d>& to) {
-  Eigen::Vector2d middleFrom = Eigen::Vector2d::Zero(), middleTo = Eigen::Vector2d::Zero();
-  for (std::size_t i = 0; i < from.size(); ++i) {
-    middleFrom += from[i] / double(from.size());
-    middleTo += to[i] / double(from.size());
-  }
-  double cosine = 0, sine = 0;
-  for (std::size_t i = 0; i < from.size(); ++i) {
-    const Eigen::Vector2d a = from[i] - middleFrom, b = to[i] - middleTo;
-    cosine += a.dot(b);
-    sine += a.x() * b.y() - a.y() * b.x();
-  }
-  const double yaw = std::atan2(sine, cosine);
-  return {yaw, middleTo - Eigen::Rotation2Dd{yaw} * middleFrom};
+  const auto columns = [](const std::vector<Eigen::Vector2d>& points) {
+    return Eigen::Matrix2Xd::Map(points.front().data(), 2, static_cast<Eigen::Index>(points.size()));
+  };
+  const Eigen::Matrix3d motion = Eigen::umeyama(columns(from), columns(to), false);
+  return {std::atan2(motion(1, 0), motion(0, 0)), motion.topRightCorner<2, 1>()};
 }
 
 /// The image's border projected onto the floor; limited to `farthest`, also above the horizon.
