@@ -8,6 +8,7 @@
 #include "estimation/ModelBuilder.hpp"
 #include "io/Files.hpp"
 #include "io/InputError.hpp"
+#include "math/LinearAlgebra.hpp"
 #include "simulation/HandMadePoses.hpp"
 
 #include <Eigen/LU>
@@ -61,6 +62,41 @@ TEST_CASE("a board whose views were all set aside does not spoil the placements"
   }
   const Eigen::VectorXd start = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(made.model.unknownCount()));
   CHECK(initializePlacements(made.measurements, made.model, start).allFinite());
+}
+
+TEST_CASE("a board of which only a row of corners is seen is placed where it lies") {
+  // Proves that place and yaw follow from where the corners' rays meet the floor, as no pose in the camera follows from
+  // corners on a line: to what 0.3 px do at 1 to 2 m from the camera, joints as read.
+  const Robot robot = loadRobot(configurationDirectory(), "V6");
+  SimulationPlan plan = handMadePlan(robot, 8);
+  plan.offsetRange = plan.mountRange = 0;
+  Measurements measurements = buildMeasurements({simulate(robot, plan, 4).set}, robot);
+  const Model model = buildModel(measurements);
+  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(eigenIndex(model.unknownCount()));
+  const Eigen::VectorXd fromAll = initializePlacements(measurements, model, zero);
+  for (ImageObservation& picture : measurements.pictures) {
+    for (BoardObservation& observation : picture.observations) {
+      const double row = observation.corners.front().y[0];
+      for (CornerBlock& block : observation.corners) {
+        for (Eigen::Index i = 0; i < 4; ++i) {
+          block.present[i] *= std::abs(block.y[i] - row) < 1e-6 ? 1 : 0;
+        }
+      }
+    }
+  }
+  const Eigen::VectorXd fromRows = initializePlacements(measurements, model, zero);
+  int placed = 0;
+  for (const Term& term : model.terms()) {
+    if (term.effect.placeKind == PlaceKind::board && term.isPlacement) {
+      const Eigen::Vector3d all = fromAll.segment<3>(eigenIndex(term.first)),
+                            row = fromRows.segment<3>(eigenIndex(term.first));
+      CAPTURE(term.label(), all.transpose(), row.transpose());
+      CHECK((all - row).head<2>().norm() < 0.05);                                   // m
+      CHECK(std::abs(std::remainder(all[2] - row[2], 2 * std::numbers::pi)) < 0.1); // rad
+      ++placed;
+    }
+  }
+  CHECK(placed == std::ssize(measurements.targets) - 1); // the first is the reference
 }
 
 TEST_CASE("stances that hold only later samples of a pose are aligned before the search too") {

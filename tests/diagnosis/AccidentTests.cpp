@@ -1,11 +1,18 @@
+#include "MeasuredArm.hpp"
 #include "SimulatedSets.hpp"
+#include "TemporaryFolder.hpp"
+#include "data/CaptureSetFile.hpp"
+#include "diagnosis/CheckedCalibration.hpp"
 #include "diagnosis/Diagnosis.hpp"
+#include "estimation/ModelBuilder.hpp"
 #include "math/Angles.hpp"
+#include "robot/RobotOfSet.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <functional>
+#include <nlohmann/json.hpp>
 #include <tuple>
 
 namespace naocal {
@@ -154,6 +161,33 @@ TEST_CASE("a robot that was put down anew half a metre away is named with the ti
     return capture.corners && !capture.corners->empty() && time > told.when->since && time < told.when->until;
   };
   CHECK(std::none_of(set.captures.begin(), set.captures.end(), isInside));
+}
+
+TEST_CASE("a tracker that was shifted is named, and its shift is not taken for the noise of its readings", "[slow]") {
+  // Proves it where the file gives no noise, for a shift without a turn, which raises the noise of places by itself: a
+  // large one, beyond what instruments have, and one that leaves a noise which instruments may have.
+  for (const double shift : {0.02, 0.003}) { // m
+    const TemporaryFolder folder;
+    writeArmSet(folder.path() / "arm", {.points = false, .contacts = false});
+    nlohmann::json file = nlohmann::json::parse(readFile(folder.path() / "arm/captures.json"));
+    file["trackers"]["laser"] = nlohmann::json::object();
+    for (nlohmann::json& capture : file["captures"]) {
+      nlohmann::json& x = capture["frames"][0]["xyz"][0];
+      x = x.get<double>() + (capture["id"].get<int>() >= 14 ? shift : 0.0);
+    }
+    writeAtomically(folder.path() / "arm/captures.json", file.dump());
+    const CaptureSet set = readCaptureSet(folder.path() / "arm").set;
+    const Measurements measurements = buildMeasurements({set}, loadRobot(set));
+    const Diagnosis diagnosis = diagnose(measurements);
+    CAPTURE(shift, diagnosis.sentence);
+    REQUIRE(diagnosis.anomalies.size() == 1);
+    CHECK(diagnosis.anomalies.front().moved == "laser");
+    CHECK(diagnosis.suggested.empty());
+    const CalibrationResult solved = calibrateChecked(measurements, buildModel(measurements));
+    CAPTURE(solved.sentence);
+    REQUIRE(solved.suspicious.size() == 1);
+    CHECK(solved.suspicious.front().moved == "laser");
+  }
 }
 
 TEST_CASE("squares of another size are told with their size, and nothing else", "[slow]") {

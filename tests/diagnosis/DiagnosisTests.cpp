@@ -1,9 +1,11 @@
 #include "SharedData.hpp"
 #include "SimulatedSets.hpp"
+#include "calibration/Calibration.hpp"
 #include "data/CaptureSetFile.hpp"
 #include "diagnosis/Diagnosis.hpp"
 #include "diagnosis/DiagnosisFile.hpp"
 #include "diagnosis/OwnEffect.hpp"
+#include "estimation/ModelBuilder.hpp"
 #include "estimation/ModelFile.hpp"
 #include "math/Angles.hpp"
 
@@ -189,6 +191,11 @@ TEST_CASE("a ripple that no effect describes is located and drawn", "[slow]") {
   const Diagnosis explained = diagnose(buildMeasurements({set}, robot), withIt);
   CHECK(explained.verdict == Verdict::adequate);
   CHECK(explained.steps.front().heldOutPx < diagnosis.steps.front().heldOutPx);
+
+  const Measurements measurements = buildMeasurements({set}, robot);
+  const CalibrationResult solved = calibrate(measurements, buildModel(measurements), withIt.calibration);
+  REQUIRE(!solved.explanations.empty());
+  CHECK(solved.explanations.front().effects == withIt.with); // a candidate without being asked for
 }
 
 TEST_CASE("a drift that goes as the motor's warmth is named with it, however large it is", "[slow]") {

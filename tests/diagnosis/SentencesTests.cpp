@@ -120,6 +120,12 @@ void addDiagnosisVerdicts(Sentences& all) {
   missing.ranking[0].equivalent = {"a@X", "b@X", "c@X", "d@X", "e@X"};
   missing.suggested.emplace_back("rollingShutter@top");
   add(", five look alike and two are missing", missing);
+  missing.ranking.push_back(found(rollingShutter(), "top", {1e-4}, {1e-5}));
+  missing.ranking[1].equivalent = {"timeOffset@all"};
+  add(", two are missing, and both look like others", missing);
+  missing = softKnee();
+  missing.rivalCurve = "LKneePitch over t";
+  add(", a curve does as well", missing);
   missing = softKnee();
   missing.steps.back().heldOutPx = 4.4;
   add(", the error stays", missing);
@@ -176,6 +182,22 @@ void addDiagnosisVerdicts(Sentences& all) {
   bad.anomalies.push_back(bad.anomalies.front());
   bad.suggested = {"encoderGain@LKneePitch"};
   add(", two, and an effect is missing", bad);
+  bad.ranking = softKnee().ranking;
+  bad.suggested = softKnee().suggested;
+  bad.steps = softKnee().steps;
+  bad.anomaliesBeside = true;
+  add(", found after an effect was added", bad);
+
+  Diagnosis still;
+  still.verdict = Verdict::badCaptures;
+  still.hasUselessFit = true;
+  still.rmsPx = 0.6;
+  still.lackOfFit.noiseFloorPx = 0.53;
+  still.alarm = 0.42;
+  still.anomalies = {DataAnomaly{{},
+                                 "1 joint never moved: elbow; without motion no offset can be learned: add poses "
+                                 "that move it, or leave its offset out"}};
+  add(", a joint that never moved", still);
 }
 
 void addStates(Sentences& all) {

@@ -114,6 +114,9 @@ void checkTogether(const Said& said) {
   } else if (verdict == "cause-missing") {
     CHECK((!isFine || isAside));
   } // "do-not-use" may have other causes, such as few poses
+  if (found == "effect-missing") {
+    CHECK(holds(result["sentence"], diagnosis["suggested"][0].get<std::string>()));
+  }
 }
 
 /// A simulated robot: its name, and the options of simulate.

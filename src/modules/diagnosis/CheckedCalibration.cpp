@@ -42,7 +42,7 @@ CalibrationResult calibrateChecked(const Measurements& measurements, const Model
   }
   if (!result.setUps.empty()) {
     result.suspicious = suspect(result.setUps);
-  } else if (tests && result.verdict != ResultVerdict::good) {
+  } else if (tests && (result.verdict != ResultVerdict::good || measurements.hasUnknownNoise())) { // which accidents raise
     result.suspicious = explainByAccidents({weighed ? *weighed : measurements, model, result}, *tests, measurements);
   }
   if (!result.suspicious.empty()) {

@@ -4,6 +4,7 @@
 #include "calibration/Outliers.hpp"
 #include "calibration/result/Assumptions.hpp"
 #include "calibration/result/Determination.hpp"
+#include "calibration/result/Plausibility.hpp"
 #include "diagnosis/CandidateJudgement.hpp"
 #include "diagnosis/DiagnosisFigures.hpp"
 #include "diagnosis/DiagnosisWording.hpp"
@@ -58,10 +59,9 @@ bool isUnknown(const CandidateTests& candidateTests, bool isNamed, double togeth
   }
   const double curve = candidateTests.curveEvidence(likeliest->curve).bayes;
   const Driver over = candidateTests.map().drivers[candidateTests.curveBasis(likeliest->curve).driver].kind;
-  const bool passes = over == Driver::time || over == Driver::temperature;
   double named = isNamed ? together : -threshold::unnamed;
   for (std::size_t i = 0; i < candidateTests.candidates().size(); ++i) {
-    named = !passes && isTransient(candidateTests.candidates()[i].effect)
+    named = !isTransient(over) && isTransient(candidateTests.candidates()[i].effect)
                 ? named
                 : std::max(named, candidateTests.candidateEvidence(i).bayes);
   }
@@ -281,11 +281,8 @@ private:
     result_.anomalies.insert(result_.anomalies.begin(), slipped.begin(), slipped.end());
     result_.anomaliesBeside = result_.anomaliesBeside && slipped.empty();
     result_.verdict = verdictOf(result_, selection_.fit(), {missing, last_.unknown()}, measurements_);
-    const auto still = describeStillJoints({measurements_, asked_, result_.fit});
-    if (still && result_.verdict == Verdict::adequate) { // captures that a model explains, and that tell no offsets
-      result_.anomalies.push_back({{}, *still});
-      result_.hasStillJoints = true;
-      result_.verdict = Verdict::badCaptures;
+    if (result_.verdict == Verdict::adequate || result_.verdict == Verdict::scatter) {
+      judgeUselessFit();
     }
     result_.with = selection_.added();
     std::vector<Term> named = selection_.model().terms();
@@ -295,6 +292,20 @@ private:
       }
     }
     result_.notes = describeAssumptions(measurements_, named);
+  }
+
+  /// Captures that a model explains, and on which nothing may rest all the same: they tell no offsets, or what the fit
+  /// takes for noise no instrument has.
+  void judgeUselessFit() {
+    std::vector<std::string> against = listImpossible({measurements_, asked_, result_.fit});
+    if (auto still = describeStillJoints({measurements_, asked_, result_.fit})) {
+      against.push_back(*std::move(still));
+    }
+    if (!against.empty()) {
+      result_.anomalies.push_back({{}, against.front()});
+      result_.hasUselessFit = true;
+      result_.verdict = Verdict::badCaptures;
+    }
   }
 
   void rankCandidates() {

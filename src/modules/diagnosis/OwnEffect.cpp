@@ -27,8 +27,7 @@ nlohmann::json curveAsUserEffect(const DriverCurve& curve) {
 std::optional<OwnEffect> fitOwnEffect(const DriverCurve& curve, const Measurements& measurements,
                                       const StepwiseSelection& selection, const Diagnosis& diagnosis,
                                       const CandidateTestOptions& options) {
-  const bool passes = curve.driver == "t" || curve.driver == "T"; // transient: explains, but does not predict
-  if (curve.coefficients.empty() || passes) {
+  if (curve.coefficients.empty() || curve.isTransient) {
     return std::nullopt;
   }
   const nlohmann::json definition = curveAsUserEffect(curve);

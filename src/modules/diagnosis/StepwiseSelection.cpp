@@ -221,11 +221,6 @@ void StepwiseSelection::appendStep(const CandidateTests& candidateTests, const s
   diagnosis.steps.push_back(std::move(step));
 }
 
-bool isTransient(const Effect& effect) {
-  return std::any_of(effect.drivers.begin(), effect.drivers.end(),
-                     [](Driver driver) { return driver == Driver::time || driver == Driver::temperature; });
-}
-
 Model StepwiseSelection::addTerm(const Term& term) const {
   std::vector<std::string> labels = added_;
   labels.push_back(term.label());

@@ -13,9 +13,6 @@
 
 namespace naocal {
 
-/// Whether an effect is transient: driven by time or temperature.
-bool isTransient(const Effect& effect);
-
 /// Extends the model effect by effect by what the search for explanations finds, and records the findings on each
 /// candidate: first the effects of the calibration's explanations, then, linearised at each refit, what
 /// `listLikelyEffects` finds likelier than that nothing else is missing.

@@ -73,4 +73,9 @@ template <class Condition> bool anyDriver(const Effect& effect, const Condition&
                      [&](const RemoteDriver& other) { return meets(other.driver); });
 }
 
+/// Whether time or temperature drives the effect.
+inline bool isTransient(const Effect& effect) {
+  return anyDriver(effect, [](Driver driver) { return isTransient(driver); });
+}
+
 } // namespace naocal

@@ -29,10 +29,11 @@ using Members = std::vector<WindowMember>;
 /// scores are in units of `plausible`, linearised about zero coefficients.
 class Window {
 public:
-  /// `allowed`: which of the problem's groups models consist of.
-  Window(const MeasuredTests& measured, std::size_t expected, std::vector<bool> allowed)
-      : problem_{measured.alone.problem()}, expected_{expected}, allowed_{std::move(allowed)}, alone_{measured.alone},
-        tests_{measured.tests}, own_{measured.outcome.own} {
+  /// Models consist of the problem's first `groups` groups, without those `excluded`.
+  Window(const MeasuredTests& measured, std::size_t groups, std::size_t expected = 0,
+         std::set<std::size_t> excluded = {})
+      : problem_{measured.alone.problem()}, groups_{groups}, expected_{expected}, excluded_{std::move(excluded)},
+        alone_{measured.alone}, tests_{measured.tests}, own_{measured.outcome.own} {
     scoreAtFit_ = score_ = problem_.plausible.cwiseProduct(measured.scores);
     scaled_ = pull_ = Eigen::VectorXd::Zero(score_.size());
     if (problem_.sizes.size() > 0) {
@@ -143,8 +144,8 @@ public:
 
   /// False where squares of the residuals overflow.
   bool isFinite() const { return score_.allFinite() && own_.allFinite(); }
-  std::size_t groups() const { return allowed_.size(); }
-  bool allows(std::size_t group) const { return allowed_[group]; }
+  std::size_t groups() const { return groups_; }
+  bool allows(std::size_t group) const { return excluded_.count(group) == 0; }
   /// Admissible column counts of a group: all columns, or one choice per degree of a smooth curve.
   std::vector<WindowMember> choices(std::size_t group) const {
     const ColumnGroup& columns = problem_.groups[group];
@@ -309,8 +310,8 @@ private:
   }
 
   const ScoreProblem& problem_;
-  std::size_t expected_;
-  std::vector<bool> allowed_;
+  std::size_t groups_, expected_;
+  std::set<std::size_t> excluded_;
   const NullModel& alone_;
   const ScoreTest& tests_;
   DriverColumns none_{.blocks = std::vector<std::vector<DriverColumns::Block>>(problem_.poses->size())};
@@ -444,16 +445,12 @@ void requireFinite(bool isFinite) {
 } // namespace
 
 ExplanationCosts costExplanations(const MeasuredTests& measured) {
-  Window window{measured, 0, std::vector<bool>(measured.alone.problem().groups.size(), true)};
+  Window window{measured, measured.alone.problem().groups.size()};
   return {window.costAsFitted(), window.fromFitToZero() + findLikeliest(window).cost};
 }
 
 std::vector<LikelyEffects> listLikelyEffects(const MeasuredTests& measured, const std::set<std::size_t>& excluded) {
-  std::vector<bool> allowed(measured.alone.problem().named, true);
-  for (const std::size_t effect : excluded) {
-    allowed[effect] = false;
-  }
-  Window window{measured, 0, std::move(allowed)};
+  Window window{measured, measured.alone.problem().named, 0, excluded};
   std::vector<WindowModel> models = findNeighbours(window, findLikeliest(window));
   const double none = window.model({}).cost;
   std::erase_if(models, [&](const WindowModel& model) { return !(model.cost < none); });
@@ -471,7 +468,7 @@ std::vector<LikelyEffects> listLikelyEffects(const MeasuredTests& measured, cons
 
 ModelWindow searchModelWindow(const MeasuredTests& measured, std::size_t expected) {
   const ScoreProblem& problem = measured.alone.problem();
-  Window window{measured, expected, std::vector<bool>(problem.groups.size(), true)};
+  Window window{measured, problem.groups.size(), expected};
   const WindowModel likeliest = findLikeliest(window);
   const PoseMisfit atFit = testPoseMisfit(problem, measured.alone.noise());
   requireFinite(window.isFinite() && std::isfinite(atFit.within) && std::isfinite(likeliest.cost));

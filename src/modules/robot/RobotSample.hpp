@@ -51,4 +51,9 @@ inline bool followsFromAngles(Driver driver) {
   return driver < Driver::approach;
 }
 
+/// Whether it goes on changing while the robot rests: what depends on it explains, but does not predict.
+inline bool isTransient(Driver driver) {
+  return driver == Driver::time || driver == Driver::temperature;
+}
+
 } // namespace naocal

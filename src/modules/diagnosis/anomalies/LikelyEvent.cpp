@@ -7,6 +7,7 @@
 #include "inference/ScoreTest.hpp"
 #include "inference/Thresholds.hpp"
 #include "io/InputError.hpp"
+#include "math/Parallel.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,66 +22,109 @@ namespace naocal {
 namespace {
 
 /// Noise levels to try: those of the fit and, with few poses, lower scatter, since a single bad pose inflates the
-/// scatter of all. Where the noise of readings was estimated, lower levels of all noise: what moved inflates it.
+/// scatter of all. Where the noise of readings was estimated, lower levels of it, all of them together with the scatter
+/// and each alone: what moved inflates them, and what only shifted inflates that of places, not that of turns.
 std::vector<Noise> lowerLevels(const Noise& noise, const Measurements& measurements) {
   std::vector<Noise> result{noise};
-  const auto add = [&](double ofScatter, double ofReadings) {
-    Noise& less = result.emplace_back(noise);
+  result.front().readings.clear();
+  for (std::size_t level = 0; level < measurements.levels.size(); ++level) {
+    result.front().readings.push_back(sigmaOf(measurements, noise, level));
+  }
+  const auto add = [&](double ofScatter, const std::vector<std::size_t>& read, double ofReadings) {
+    Noise less = result.front();
     less.pose *= ofScatter;
     less.reapproach *= ofScatter;
-    less.pixel *= ofReadings; // all sums are in its units
+    for (const std::size_t level : read) {
+      double& sigma = less.readings[level];
+      sigma = std::max(std::min(sigma, threshold::leastReadingNoise), ofReadings * sigma);
+    }
+    result.push_back(std::move(less));
   };
   if (noise.pose + noise.reapproach > 0 && measurements.poses.size() < threshold::fewPoses) {
     for (const double part : {0.0, 0.25, 0.5}) {
-      add(part, 1);
+      add(part, {}, 1);
     }
     if (measurements.quantities.scene().hasLinkSteps) { // what moved for long inflates it more than one bad pose
-      add(0.1, 1);
+      add(0.1, {}, 1);
     }
   }
-  if (measurements.cornerCount == 0 && measurements.hasUnknownNoise()) {
-    for (const double part : {1.0 / 32, 1.0 / 16, 1.0 / 8, 0.25, 0.5}) {
-      add(part, part);
+  std::vector<std::size_t> estimated;
+  for (std::size_t level = 0; level < measurements.levels.size(); ++level) {
+    if (!measurements.levels[level].isGiven) {
+      estimated.push_back(level);
+    }
+  }
+  for (const double part : {1.0 / 2, 1.0 / 4, 1.0 / 8, 1.0 / 16, 1.0 / 32}) {
+    if (!estimated.empty()) {
+      add(part, estimated, part);
+    }
+    for (std::size_t i = 0; estimated.size() > 1 && i < estimated.size(); ++i) {
+      add(1, {estimated[i]}, part);
     }
   }
   return result;
 }
 
-/// What `NullModel::Outcome::deviance` leaves out as the same at all levels, where the noise of the sums' unit differs:
-/// rows ln pixel^2 + squares / pixel^2, relative to the first level.
-double pixelDeviance(const std::vector<PoseRows>& poses, const Noise& level, const Noise& first) {
-  if (level.pixel == first.pixel) {
-    return 0;
+/// Number of readings' components per noise level.
+std::vector<double> countComponents(const Measurements& measurements) {
+  std::vector<double> result(measurements.levels.size(), 0);
+  for (const ImageObservation& picture : measurements.pictures) {
+    for (const WitnessObservation& observation : picture.witnesses) {
+      for (const Witness::Part& part : observation.witness->parts()) {
+        result[part.level] += observation.weight > 0 ? static_cast<double>(part.count) : 0;
+      }
+    }
   }
-  double squares = 0, rows = 0;
-  for (const PoseRows& pose : poses) {
-    squares += pose.squares;
-    rows += pose.numbers;
-  }
-  return squares * (1 / (level.pixel * level.pixel) - 1 / (first.pixel * first.pixel)) +
-         2 * rows * std::log(level.pixel / first.pixel);
+  return result;
 }
 
-/// Best Bayes factor of each group over the noise levels, relative to the model at the first level, whose evidence is
-/// already computed.
-std::vector<double> findBestAtAnyLevel(const CandidateTests& candidateTests, const std::vector<Noise>& levels) {
-  const ScoreProblem& problem = candidateTests.problem();
-  const PoseResiduals measured = measuredResiduals(*problem.poses);
-  const auto devianceAt = [&](const Noise& level) {
-    return NullModel{problem, level}(measured, problem.priorScore()).deviance[0] + poseNoisePenalty(level.pose) +
-           poseNoisePenalty(level.reapproach);
-  };
+/// -2 ln likelihood of the model without groups at a noise level, up to a constant that is the same at all levels.
+double devianceAt(const Noise& level, const ScoreProblem& problem, const PoseResiduals& measured,
+                  const Measurements& measurements) {
+  double result = NullModel{problem, level}(measured, problem.priorScore()).deviance[0] + poseNoisePenalty(level.pose) +
+                  poseNoisePenalty(level.reapproach);
+  for (const PoseRows& pose : *problem.poses) {
+    result += pose.squares / (level.pixel * level.pixel);
+  }
+  const std::vector<double> components = countComponents(measurements);
+  for (std::size_t i = 0; i < components.size(); ++i) {
+    result += 2 * components[i] * std::log(sigmaOf(measurements, level, i));
+  }
+  return result;
+}
+
+/// Best Bayes factor of each group over the noise levels, relative to the model at the first level, that of the fit,
+/// whose evidence is already computed.
+std::vector<double> findBestAtAnyLevel(const CandidateTests& candidateTests, const FittedModel& fitted,
+                                       const std::vector<Noise>& levels) {
   std::vector<double> result;
   for (const GroupEvidence& group : candidateTests.evidence().groups) {
     result.push_back(group.bayes);
   }
-  const double first = levels.size() > 1 ? devianceAt(levels.front()) : 0;
-  for (std::size_t level = 1; level < levels.size(); ++level) {
-    const double deviance = devianceAt(levels[level]) + pixelDeviance(*problem.poses, levels[level], levels.front());
-    const Evidence evidence = computeEvidence({problem, levels[level]});
-    for (std::size_t i = 0; i < result.size(); ++i) {
-      result[i] = std::max(result[i], evidence.groups[i].bayes - (deviance - first));
+  if (levels.size() == 1) {
+    return result;
+  }
+  const double first =
+      devianceAt(levels.front(), candidateTests.problem(), candidateTests.measured().residuals, fitted.measurements);
+  std::vector<std::vector<double>> found(levels.size());
+  parallelFor(levels.size() - 1, [&](std::size_t i) {
+    const Noise& level = levels[i + 1];
+    std::optional<WideModel> anew; // rows are in units of the readings' noise
+    if (level.readings != levels.front().readings) {
+      Noise read = levels.front();
+      read.readings = level.readings;
+      anew.emplace(fitted.measurements, fitted.model, candidateTests.candidates(),
+                   FittedPoint{fitted.fit.state, read, fitted.fit.loss}, candidateTests.curveCount() > 0);
     }
+    const MeasuredTests measured{anew ? anew->problem() : candidateTests.problem(), level};
+    const double rise = devianceAt(level, measured.alone.problem(), measured.residuals, fitted.measurements) - first;
+    for (const GroupEvidence& group : computeEvidence(measured).groups) {
+      found[i + 1].push_back(group.bayes - rise);
+    }
+  });
+  for (std::size_t level = 1; level < levels.size(); ++level) {
+    std::transform(result.begin(), result.end(), found[level].begin(), result.begin(),
+                   [](double best, double here) { return std::max(best, here); });
   }
   return result;
 }
@@ -93,8 +137,8 @@ struct Rivals {
   double best() const { return std::max(lasting, passing); }
 };
 
-Rivals findRivals(const CandidateTests& candidateTests, const std::vector<Noise>& levels) {
-  const std::vector<double> all = findBestAtAnyLevel(candidateTests, levels);
+Rivals findRivals(const CandidateTests& candidateTests, const FittedModel& fitted, const std::vector<Noise>& levels) {
+  const std::vector<double> all = findBestAtAnyLevel(candidateTests, fitted, levels);
   const std::size_t named = candidateTests.candidates().size();
   Rivals result;
   for (std::size_t i = 0; i < named; ++i) {
@@ -125,7 +169,7 @@ Asked askEvents(std::vector<TransientEvent> events, const FittedModel& fitted, c
     terms.push_back(event.term);
   }
   const CandidateTests candidateTests{fitted, terms, {.draws = 0, .map = false}};
-  Asked result{std::move(events), findBestAtAnyLevel(candidateTests, levels), candidateTests.evidence().groups};
+  Asked result{std::move(events), findBestAtAnyLevel(candidateTests, fitted, levels), candidateTests.evidence().groups};
   for (std::size_t i = 0; i < result.events.size(); ++i) {
     result.bayes[i] += result.events[i].prior;
   }
@@ -365,7 +409,7 @@ std::optional<LikelyEvent> findLikeliestAt(const FittedModel& fitted, const Cand
     return std::nullopt;
   }
   const std::vector<Noise> levels = lowerLevels(candidateTests.noise(), fitted.measurements);
-  const Rivals rivals = findRivals(candidateTests, levels);
+  const Rivals rivals = findRivals(candidateTests, fitted, levels);
   const Asked coarse = askEvents(std::move(events), fitted, levels);
   constexpr double within = 0.5; // of what the rivals explain, where the best moments are not among the first few
   if (coarse.bayes[coarse.order.front()] <

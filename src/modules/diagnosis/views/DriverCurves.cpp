@@ -194,6 +194,7 @@ DriverCurve makeDriverCurve(const CandidateTests& candidateTests, const Measurem
                                     : candidateTests.map().cells[curve - candidateTests.mounts().size()];
   const DriverSeries& driver = candidateTests.map().drivers[cell.driver];
   result.what = driver.what;
+  result.isTransient = isTransient(driver.kind);
   if (ofMount) {
     drawMount(cell, driver.atPicture, group, candidateTests.noise().pose, result);
   } else {

@@ -21,6 +21,7 @@ struct DriverCurve {
   std::string place, driver; // as in a user-defined effect: "LKneePitch", "q"; mount: camera and driver, "top", "t";
                              // lens: camera and "u" or "v"; board shape: board and "x" or "y"
   std::string what;          // "the angle of LKneePitch"
+  bool isTransient = false;  // over time or temperature
   std::string about;         // mount: axis of rotation, "y"; fields within pictures: direction
   std::string unit = "rad";  // of the curve; "m" for a board's shape, "px" for a lens
   double share = 0;          // explained share of the variance of this joint or mount, or within pictures
