@@ -4,6 +4,7 @@
 #include "data/CaptureSetFile.hpp"
 #include "diagnosis/CheckedCalibration.hpp"
 #include "diagnosis/Diagnosis.hpp"
+#include "diagnosis/anomalies/Events.hpp"
 #include "estimation/ModelBuilder.hpp"
 #include "math/Angles.hpp"
 #include "robot/RobotOfSet.hpp"
@@ -12,6 +13,8 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <functional>
+#include <iterator>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <tuple>
 
@@ -188,6 +191,29 @@ TEST_CASE("a tracker that was shifted is named, and its shift is not taken for t
     REQUIRE(solved.suspicious.size() == 1);
     CHECK(solved.suspicious.front().moved == "laser");
   }
+}
+
+TEST_CASE("of too many moments, those at which the robot went to another pose are asked") {
+  // Proves that no moment is within a rest, where half of the captures contradict what happened shortly before or
+  // after: here gaps within and between poses are equally long, so that their length tells nothing.
+  const Robot robot = loadRobot(configurationDirectory(), "V6");
+  SimulationPlan plan;
+  plan.poses = planStandingPoses(robot, plan, SupportFoot::left, 20, 1);
+  CaptureSet set = simulate(robot, plan, 7).set;
+  std::map<double, std::string> poses;
+  for (std::size_t i = 0; i < set.captures.size(); ++i) {
+    set.captures[i].time = Seconds{static_cast<double>(i / set.cameras.size())};
+    poses[set.captures[i].time.count()] = set.captures[i].pose;
+  }
+  std::size_t asked = 0;
+  for (const TransientEvent& event : enumerateEvents(buildMeasurements({set}, robot), {})) {
+    if (event.from) {
+      const auto after = poses.upper_bound(event.from->time);
+      CHECK(after->second != std::prev(after)->second);
+      ++asked;
+    }
+  }
+  CHECK(asked > 0);
 }
 
 TEST_CASE("squares of another size are told with their size, and nothing else", "[slow]") {

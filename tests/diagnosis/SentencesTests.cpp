@@ -1,4 +1,3 @@
-#include "calibration/Outliers.hpp"
 #include "calibration/result/Verdict.hpp"
 #include "calibration/result/Wording.hpp"
 #include "diagnosis/DiagnosisWording.hpp"
@@ -77,23 +76,25 @@ void addCalibrationVerdicts(Sentences& all) {
   CalibrationResult result;
   result.rmsPx = result.rejected.presentPx = result.rejected.keptPx = 4.49;
   result.noiseFloorPx = 0.65;
-  const DisplacedBoardCount none;
-  DisplacedBoardCount one, some;
-  one.moved = 1, some.moved = 3;
-  one.all = some.all = 120;
+  const auto verdictWith = [&](std::size_t displaced, const std::string& cause, const std::string& firm = "") {
+    CalibrationResult here = result;
+    here.rejected.views = displaced;
+    here.rejected.ofViews = 120;
+    return formatVerdict(here, cause, firm);
+  };
   const std::string cause = "the likeliest cause is elasticity@LKneePitch (probability 69 %)";
   for (const ResultVerdict verdict : {ResultVerdict::good, ResultVerdict::causeMissing, ResultVerdict::doNotUse}) {
     result.verdict = verdict;
-    all.add(toString(verdict), formatVerdict(result, none, cause, ""));
-    all.add(toString(verdict) + ", one board moved", formatVerdict(result, one, cause, ""));
-    all.add(toString(verdict) + ", three boards moved", formatVerdict(result, some, cause, ""));
+    all.add(toString(verdict), verdictWith(0, cause));
+    all.add(toString(verdict) + ", one board moved", verdictWith(1, cause));
+    all.add(toString(verdict) + ", three boards moved", verdictWith(3, cause));
   }
   result.verdict = ResultVerdict::causeMissing;
   result.rejected = {.corners = 12, .ofCorners = 7654, .presentPx = 4.49, .keptPx = 0.66};
-  all.add("cause-missing, corners rejected", formatVerdict(result, none, cause, ""));
-  all.add("cause-missing, corners rejected and boards moved", formatVerdict(result, some, cause, ""));
+  all.add("cause-missing, corners rejected", verdictWith(0, cause));
+  all.add("cause-missing, corners rejected and boards moved", verdictWith(3, cause));
   result.verdict = ResultVerdict::doNotUse;
-  all.add("do-not-use, for a reason", formatVerdict(result, none, cause, "the search did not converge"));
+  all.add("do-not-use, for a reason", verdictWith(0, cause, "the search did not converge"));
 }
 
 void addDiagnosisVerdicts(Sentences& all) {

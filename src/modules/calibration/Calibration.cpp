@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <functional>
 
 namespace naocal {
@@ -123,11 +124,11 @@ NoiseConsistentFit fitWithNoise(const Measurements& measurements, const Model& m
   return answer;
 }
 
-/// Excludes, one at a time, observations whose board was displaced beyond doubt under any explanation. Returns the
-/// remaining measurements, or nothing if none was excluded.
+/// Excludes, one at a time, observations whose board was displaced beyond doubt under any explanation: a tenth of all
+/// at most. Returns the remaining measurements, or nothing if none was excluded.
 std::optional<Measurements> excludeMovedBoards(const Measurements& measurements, const Model& model,
                                                const CalibrationOptions& options, NoiseConsistentFit& answer) {
-  const std::size_t most = DisplacedBoardCount{measurements, {}}.mostSetAside();
+  const auto most = static_cast<std::size_t>(std::ceil(0.1 * static_cast<double>(countViews(measurements))));
   std::optional<Measurements> kept;
   for (std::size_t aside = 0; aside < most; ++aside) {
     const Measurements& used = kept ? *kept : measurements;

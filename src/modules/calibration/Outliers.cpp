@@ -7,6 +7,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace naocal {
 
@@ -74,23 +75,14 @@ double shareOfDoubtful(const Measurements& measurements, const Model& model, con
                   readings / std::max<double>(1, static_cast<double>(measurements.witnessCount)));
 }
 
+std::size_t countViews(const Measurements& measurements) {
+  return std::accumulate(measurements.pictures.begin(), measurements.pictures.end(), std::size_t{0},
+                         [](std::size_t sum, const ImageObservation& one) { return sum + one.observations.size(); });
+}
+
 void excludeReadings(Measurements& measurements, std::size_t picture) {
   measurements.witnessCount -= std::erase_if(measurements.pictures[picture].witnesses,
                                              [](const WitnessObservation& one) { return one.view.has_value(); });
-}
-
-DisplacedBoardCount::DisplacedBoardCount(const Measurements& measurements, const std::vector<Outlier>& outliers) {
-  for (const ImageObservation& picture : measurements.pictures) {
-    all += picture.observations.size();
-  }
-  for (const Outlier& outlier : outliers) {
-    moved += outlier.whole ? 1 : 0;
-  }
-}
-
-std::size_t DisplacedBoardCount::mostSetAside() const {
-  constexpr double share = 0.1;
-  return static_cast<std::size_t>(std::ceil(share * static_cast<double>(all)));
 }
 
 namespace {

@@ -21,25 +21,11 @@ std::optional<Measurements> weighDoubtful(const Measurements& measurements, cons
 /// Share of corners and readings whose weight is below `outlierWeight` in a fit: the larger of the two shares.
 double shareOfDoubtful(const Measurements& measurements, const Model& model, const Fit& fit);
 
+/// Number of board views: pairs of a picture and a board seen in it.
+std::size_t countViews(const Measurements& measurements);
+
 /// Removes a picture's readings from the measurements.
 void excludeReadings(Measurements& measurements, std::size_t picture);
-
-/// Number of displaced boards among all observations.
-struct DisplacedBoardCount {
-  std::size_t moved = 0, all = 0;
-
-  DisplacedBoardCount() = default;
-  DisplacedBoardCount(const Measurements& measurements, const std::vector<Outlier>& outliers);
-
-  bool any() const { return moved > 0; }
-  /// More than 5 % of the observations: reported.
-  bool areMany() const { return isMore(0.05); }
-  /// Maximum number that may be excluded as accidents: 10 % of the observations, rounded up.
-  std::size_t mostSetAside() const;
-
-private:
-  bool isMore(double share) const { return static_cast<double>(moved) > share * static_cast<double>(all); }
-};
 
 /// Evidence that the board was displaced in this one picture (or the robot stood differently).
 struct BoardDisplacement {

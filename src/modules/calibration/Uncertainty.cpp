@@ -35,7 +35,9 @@ void measureKept(const Residuals& residuals, const std::vector<WitnessResidual>&
   std::vector<double> present, kept;
   for (std::size_t i = 0; i < result.residuals.size(); ++i) {
     const BoardResidual& fitted = result.residuals[i];
-    for (Eigen::Index corner = 0; corner < fitted.weight.size() && !isMostlyOutliers(fitted); ++corner) {
+    const bool isDisplaced = isMostlyOutliers(fitted);
+    rejected.views += isDisplaced ? 1 : 0;
+    for (Eigen::Index corner = 0; corner < fitted.weight.size() && !isDisplaced; ++corner) {
       const double distance = result.withReportedAngles[i].residual.col(corner).norm();
       const bool isRejected = fitted.weight[corner] < outlierWeight;
       present.push_back(distance);
@@ -53,6 +55,7 @@ void measureKept(const Residuals& residuals, const std::vector<WitnessResidual>&
                        });
   });
   rejected.readings = readings.size() - keptReadings.size();
+  rejected.ofViews = countViews(measurements);
   rejected.ofCorners = measurements.cornerCount;
   rejected.ofReadings = readings.size();
   rejected.keptReadings = summarizeReadings(measurements, keptReadings);
@@ -221,6 +224,18 @@ std::vector<WeakDirection> findWeakDirections(const Model& model, const Calibrat
     weak.push_back(describeDirection(physical, result.covariance, eigen.vectors.col(k), sigma));
   }
   return weak;
+}
+
+double computeWald(const CalibrationResult& fit, const Term& term) {
+  const Eigen::Index first = eigenIndex(term.first), count = eigenIndex(term.effect.unknowns.size());
+  Eigen::VectorXd inSigmas(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const Estimate& one = fit.estimates[static_cast<std::size_t>(first + i)];
+    inSigmas[i] = one.best() / one.bestSigma();
+  }
+  const Eigen::MatrixXd covariance = fit.covariance.block(first, first, count, count);
+  const Eigen::VectorXd scale = covariance.diagonal().cwiseSqrt().cwiseInverse();
+  return inSigmas.dot((scale.asDiagonal() * covariance * scale.asDiagonal()).ldlt().solve(inSigmas));
 }
 
 } // namespace naocal

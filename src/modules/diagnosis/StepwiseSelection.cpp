@@ -2,6 +2,7 @@
 
 #include "calibration/Fit.hpp"
 #include "calibration/ModelUncertainty.hpp"
+#include "calibration/Uncertainty.hpp"
 #include "diagnosis/CandidateJudgement.hpp"
 #include "diagnosis/evidence/Aliasing.hpp"
 #include "diagnosis/evidence/Power.hpp"
@@ -45,12 +46,9 @@ const Limit* findLimit(const Effect& part, const Effect& whole) {
   return found == whole.limits.end() ? nullptr : &*found;
 }
 
-/// Wald test: whether chi2 exceeds leastZ^2 per unknown.
+/// Whether the Wald statistic exceeds leastZ^2 per unknown.
 bool isNeeded(const Term& term, const CalibrationResult& fit, double leastZ = 2) {
-  const auto first = static_cast<Eigen::Index>(term.first), count = term.sigmas().size();
-  const Eigen::VectorXd values = fit.unknowns.segment(first, count);
-  const double chi2 = values.dot(fit.covariance.block(first, first, count, count).ldlt().solve(values));
-  return chi2 > leastZ * leastZ * static_cast<double>(count);
+  return computeWald(fit, term) > leastZ * leastZ * static_cast<double>(term.effect.unknowns.size());
 }
 
 } // namespace

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <set>
 
@@ -260,7 +261,7 @@ std::vector<DriverBasis> rippleBases() {
 }
 
 std::vector<DriverBasis> stepBases(const std::set<double>& times) {
-  const std::vector<double> moments = midpointsBetween(times, 24);
+  const std::vector<double> moments = midpointsOf(gapsBetween(times), 24);
   std::vector<DriverBasis> result;
   for (double moment : moments) {
     DriverBasis& cell = result.emplace_back();
@@ -280,16 +281,24 @@ DriverBasis rootBasis(const std::set<double>& distinct) {
   return cell;
 }
 
-std::vector<double> midpointsBetween(const std::set<double>& times, std::size_t most) {
-  const std::vector<double> all{times.begin(), times.end()};
-  const std::size_t gaps = all.size() - 1, parts = std::min(gaps, most);
+std::vector<TimeGap> gapsBetween(const std::set<double>& times) {
+  std::vector<TimeGap> result;
+  for (auto time = times.begin(); time != times.end() && std::next(time) != times.end(); ++time) {
+    result.emplace_back(*time, *std::next(time));
+  }
+  return result;
+}
+
+std::vector<double> midpointsOf(const std::vector<TimeGap>& gaps, std::size_t most) {
+  const auto width = [](const TimeGap& gap) { return gap.second - gap.first; };
+  const std::size_t parts = std::min(gaps.size(), most);
   std::vector<double> result;
   for (std::size_t part = 0; part < parts; ++part) {
-    std::size_t widest = part * gaps / parts;
-    for (std::size_t gap = widest; gap < (part + 1) * gaps / parts; ++gap) {
-      widest = all[gap + 1] - all[gap] > all[widest + 1] - all[widest] ? gap : widest;
-    }
-    result.push_back((all[widest] + all[widest + 1]) / 2);
+    const auto begin = gaps.begin() + static_cast<std::ptrdiff_t>(part * gaps.size() / parts),
+               end = gaps.begin() + static_cast<std::ptrdiff_t>((part + 1) * gaps.size() / parts);
+    const TimeGap widest =
+        *std::max_element(begin, end, [&](const TimeGap& a, const TimeGap& b) { return width(a) < width(b); });
+    result.push_back((widest.first + widest.second) / 2);
   }
   return result;
 }

@@ -8,6 +8,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace naocal {
@@ -49,15 +50,17 @@ std::set<double> distinctValues(const std::vector<double>& values);
 DriverBasis polynomialBasis(const std::set<double>& distinct, Eigen::Index degree);
 /// Ripples of 2 to 8 periods per turn. One period per turn is a named effect.
 std::vector<DriverBasis> rippleBases();
-/// Steps over time, at the midpoints of `midpointsBetween(times, 24)`.
+/// Steps over time, at the midpoints of `midpointsOf(gapsBetween(times), 24)`.
 std::vector<DriverBasis> stepBases(const std::set<double>& times);
 /// Square-root basis over a driver with these values.
 DriverBasis rootBasis(const std::set<double>& distinct);
 
-/// Midpoints of at most `most` gaps between neighbouring times: the gaps are divided into `most` runs of about equal
-/// number, and each run contributes its widest gap. A one-off event falls between captures, most likely into the
-/// longest gap.
-std::vector<double> midpointsBetween(const std::set<double>& times, std::size_t most);
+/// From one time to the next.
+using TimeGap = std::pair<double, double>;
+std::vector<TimeGap> gapsBetween(const std::set<double>& times);
+/// Midpoints of at most `most` gaps, which are in order: they are divided into `most` runs of about equal number, and
+/// each run contributes its widest gap. A one-off event falls between captures, most likely into the longest gap.
+std::vector<double> midpointsOf(const std::vector<TimeGap>& gaps, std::size_t most);
 
 /// A quantity known at every capture that a joint's deflection may depend on.
 struct DriverSeries {

@@ -1,6 +1,5 @@
 #include "calibration/result/Verdict.hpp"
 
-#include "calibration/Outliers.hpp"
 #include "calibration/Uncertainty.hpp"
 #include "calibration/result/Assumptions.hpp"
 #include "calibration/result/Determination.hpp"
@@ -20,26 +19,31 @@ namespace naocal {
 
 namespace {
 
-std::string words(const DisplacedBoardCount& displaced) {
-  return fmt::format("{} of {} board views {} not lie where the others put {}", displaced.moved, displaced.all,
-                     displaced.moved == 1 ? "does" : "do", displaced.moved == 1 ? "it" : "them");
+std::string formatDisplaced(const RejectedMeasurements& rejected) {
+  return fmt::format("{} of {} board views {} not lie where the others put {}", rejected.views, rejected.ofViews,
+                     rejected.views == 1 ? "does" : "do", rejected.views == 1 ? "it" : "them");
+}
+
+/// Whether more than 5 % of the board views: these are no accidents.
+bool areManyDisplaced(const RejectedMeasurements& rejected) {
+  return static_cast<double>(rejected.views) > 0.05 * static_cast<double>(rejected.ofViews);
 }
 
 /// For example "the error is 4.49 px, the noise floor 0.65 px"; of what is left where measurements that are rejected
 /// raise it, after their number.
-std::string formatSizes(const CalibrationResult& result, const DisplacedBoardCount& displaced) {
+std::string formatSizes(const CalibrationResult& result) {
   constexpr double noticeable = 1.1; // ratio of the errors with and without
   const RejectedMeasurements& rejected = result.rejected;
   const std::size_t count = rejected.corners + rejected.readings;
   const bool withRejected = count > 0 && rejected.presentPx > noticeable * rejected.keptPx;
   std::vector<std::string> aside;
-  if (displaced.any()) {
-    aside.push_back(words(displaced));
+  if (rejected.views > 0) {
+    aside.push_back(formatDisplaced(rejected));
   }
   if (withRejected) {
     aside.push_back(formatRejected(rejected));
   }
-  const bool single = aside.size() == 1 && (displaced.any() ? displaced.moved : count) == 1;
+  const bool single = aside.size() == 1 && (rejected.views > 0 ? rejected.views : count) == 1;
   const std::string without =
       aside.empty() ? "" : fmt::format("{}; without {} ", joinWords(aside), single ? "it" : "them");
   const double error = withRejected ? rejected.keptPx : rejected.presentPx;
@@ -238,31 +242,28 @@ std::string formatCause(const CalibrationResult& result, bool missing) {
 }
 
 /// Why a result must not be used whose error has an unknown cause.
-std::string formatUnexplained(const CalibrationResult& result, const DisplacedBoardCount& displaced,
-                              const std::string& cause) {
+std::string formatUnexplained(const CalibrationResult& result, const std::string& cause) {
   const std::string harm =
       isBeyondTolerance(result)
           ? fmt::format("the {} may be up to {} off (99.95 %; tolerance {})", result.task->what,
                         formatSize(result.task->bound, "m"), formatSize(result.task->tolerance, "m"))
           : std::string{"the offsets depend on it"};
-  return fmt::format("{}; {}, and {}", formatSizes(result, displaced), cause, harm);
+  return fmt::format("{}; {}, and {}", formatSizes(result), cause, harm);
 }
 
 } // namespace
 
-std::string formatVerdict(const CalibrationResult& result, const DisplacedBoardCount& displaced,
-                          const std::string& cause, const std::string& firm) {
+std::string formatVerdict(const CalibrationResult& result, const std::string& cause, const std::string& firm) {
   switch (result.verdict) {
   case ResultVerdict::good:
-    return fmt::format("This calibration is good: the model explains the captures ({}).",
-                       formatSizes(result, displaced));
+    return fmt::format("This calibration is good: the model explains the captures ({}).", formatSizes(result));
   case ResultVerdict::causeMissing:
     return fmt::format("Usable, but a cause is missing: {}; {}. The intervals of the offsets already include this "
                        "uncertainty. Find it with 'naocal diagnose'.",
-                       formatSizes(result, displaced), cause);
+                       formatSizes(result), cause);
   case ResultVerdict::doNotUse:
     return firm.empty() ? fmt::format("Do not use this calibration yet: {}. Find it with 'naocal diagnose'.",
-                                      formatUnexplained(result, displaced, cause))
+                                      formatUnexplained(result, cause))
                         : fmt::format("Do not use this calibration: {}.", firm);
   }
   return {};
@@ -279,19 +280,18 @@ void judgeResult(const Measurements& measurements, const Model& model, Calibrati
   const bool isCertain = !result.usable;
   const HeldOffsets held = findHeldOffsets({measurements, model, result});
   forbid(About::offset, listUndetermined({measurements, model, result}, held), result);
-  const DisplacedBoardCount displaced{measurements, result.outliers};
   const bool missing = (result.pValue <= threshold::alarm && result.matters) || !result.sharedCauses.empty();
   checkTask(missing, result);
   forbid(About::floor, describeBound(true, missing, result), result);
-  result.verdict =
-      result.usable ? judgeExplained(model, result, held, missing || displaced.areMany()) : ResultVerdict::doNotUse;
+  result.verdict = result.usable ? judgeExplained(model, result, held, missing || areManyDisplaced(result.rejected))
+                                 : ResultVerdict::doNotUse;
   // reports a missing effect before what is not learned: it implies that the offsets are uncertain
   const std::string cause = formatCause(result, missing);
   const bool isFirm = !result.usable && (isCertain || !missing);
-  result.sentence = formatVerdict(result, displaced, cause, isFirm ? result.reasons.front() : "");
+  result.sentence = formatVerdict(result, cause, isFirm ? result.reasons.front() : "");
   result.usable = result.verdict != ResultVerdict::doNotUse;
   if (!result.usable && !isFirm) {
-    result.reasons.insert(result.reasons.begin(), formatUnexplained(result, displaced, cause));
+    result.reasons.insert(result.reasons.begin(), formatUnexplained(result, cause));
   }
   if (result.usable && result.negligible) {
     result.sentence += " " + formatNegligible(*result.negligible, errorUnitOf(measurements, result.noise));

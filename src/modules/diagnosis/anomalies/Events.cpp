@@ -2,6 +2,7 @@
 
 #include "calibration/BoardMoves.hpp"
 #include "calibration/Fit.hpp"
+#include "calibration/Uncertainty.hpp"
 #include "estimation/EffectJacobian.hpp"
 #include "estimation/Model.hpp"
 #include "inference/DriverBasis.hpp"
@@ -209,13 +210,47 @@ Sightings collectSightings(const Measurements& measurements) {
   return result;
 }
 
+/// Per set, the times at which the robot was first seen in a pose that it had come to.
+std::vector<std::set<double>> collectStarts(const Measurements& measurements) {
+  std::vector<std::map<double, std::string>> poses(measurements.sets->size());
+  for (const ImageObservation& picture : measurements.pictures) {
+    poses[picture.set][picture.instant.time.count()] = measurements.captureOf(picture).pose;
+  }
+  std::vector<std::set<double>> result;
+  for (const std::map<double, std::string>& ofSet : poses) {
+    std::set<double>& starts = result.emplace_back();
+    std::string last;
+    for (const auto& [time, pose] : ofSet) {
+      if (starts.empty() || pose != last) {
+        starts.insert(time);
+      }
+      last = pose;
+    }
+  }
+  return result;
+}
+
+/// At most `most` moments between sightings. If there are more, only those at which the robot moved to a pose count:
+/// what is knocked hardly ever is while it rests, and at a moment within a rest, half of its captures speak against all
+/// that happened shortly before or after.
+std::vector<double> momentsBetween(const std::set<double>& seen, const std::set<double>& starts, std::size_t most) {
+  const std::vector<TimeGap> all = gapsBetween(seen);
+  std::vector<TimeGap> moving;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(moving), [&](const TimeGap& gap) {
+    const auto start = starts.upper_bound(gap.first);
+    return start != starts.end() && *start <= gap.second;
+  });
+  return midpointsOf(all.size() > most && !moving.empty() ? moving : all, most);
+}
+
 /// Displacements of boards, stances, cameras and joint zeros, at up to `most` moments each.
 std::vector<TransientEvent> movesAt(std::size_t most, const Measurements& measurements) {
   std::vector<TransientEvent> result;
+  const std::vector<std::set<double>> starts = collectStarts(measurements);
   const auto addMoves = [&](const Times& times, const auto& effect, const auto& name, const auto& idOf) {
     for (const auto& [which, seen] : times) {
       const auto& [set, at] = which;
-      const std::vector<double> moments = midpointsBetween(seen, most);
+      const std::vector<double> moments = momentsBetween(seen, starts[set], most);
       for (const double time : moments) {
         const Moment moment = momentIn(set, seen, time);
         const std::string who = name(at), where = formatSet(set, measurements);
@@ -368,20 +403,6 @@ bool leavesOutliers(const TransientEvent& event, const Measurements& measurement
   return outliers > (event.from ? most * views : 0) || !fit.sharedCauses.empty();
 }
 
-/// Whether a term's unknowns differ from zero beyond doubt (Wald test, correlations of the fit, sigmas as reported).
-bool isSignificant(const CalibrationResult& fit, const Term& term) {
-  const Eigen::Index first = eigenIndex(term.first), count = term.sigmas().size();
-  Eigen::VectorXd inSigmas(count);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const Estimate& one = fit.estimates[static_cast<std::size_t>(first + i)];
-    inSigmas[i] = one.best() / one.bestSigma();
-  }
-  const Eigen::MatrixXd covariance = fit.covariance.block(first, first, count, count);
-  const Eigen::VectorXd scale = covariance.diagonal().cwiseSqrt().cwiseInverse();
-  return inSigmas.dot((scale.asDiagonal() * covariance * scale.asDiagonal()).ldlt().solve(inSigmas)) >=
-         threshold::veryStrong;
-}
-
 } // namespace
 
 std::optional<EventEstimate> estimateEvent(const TransientEvent& event, const FittedModel& fitted,
@@ -407,7 +428,7 @@ std::optional<EventEstimate> estimateEvent(const TransientEvent& event, const Fi
     EventEstimate estimate{{},
                            result.noise,
                            leavesOutliers(event, fitted.measurements, result) ||
-                               !isSignificant(result, larger.terms().back())};
+                               computeWald(result, larger.terms().back()) < threshold::veryStrong};
     for (std::size_t i = 0; i < term.effect.unknowns.size(); ++i) {
       const Estimate& one = result.estimates[first + i];
       const auto [low, high] = one.interval();

@@ -139,14 +139,14 @@ BestMoment findBestMoment(const MovedThing& thing, const Measurements& measureme
       }
     }
   };
-  const std::vector<double> moments = midpointsBetween(thing.times, coarse);
+  const std::vector<double> moments = midpointsOf(gapsBetween(thing.times), coarse);
   consider(moments);
   if (std::isfinite(best.left) && moments.size() == coarse) {
     const auto here = std::find(moments.begin(), moments.end(), best.moment.time);
     const double since = here == moments.begin() ? *thing.times.begin() : *std::prev(here);
     const double until = std::next(here) == moments.end() ? *thing.times.rbegin() : *std::next(here);
     const std::set<double> around{thing.times.lower_bound(since), thing.times.upper_bound(until)};
-    consider(midpointsBetween(around, around.size()));
+    consider(midpointsOf(gapsBetween(around), around.size()));
   }
   const double first = firstTime((*measurements.sets)[thing.set]).count();
   best.moment.time -= first;
