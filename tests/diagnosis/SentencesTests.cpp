@@ -191,13 +191,13 @@ void addDiagnosisVerdicts(Sentences& all) {
 
   Diagnosis still;
   still.verdict = Verdict::badCaptures;
-  still.hasUselessFit = true;
+  still.hasStillJoints = true;
   still.rmsPx = 0.6;
   still.lackOfFit.noiseFloorPx = 0.53;
   still.alarm = 0.42;
-  still.anomalies = {DataAnomaly{{},
-                                 "1 joint never moved: elbow; without motion no offset can be learned: add poses "
-                                 "that move it, or leave its offset out"}};
+  still.fit.reasons = {"1 joint never moved: elbow; without motion no offset can be learned: add poses that move it, "
+                       "or leave its offset out"};
+  still.fit.warnings = {{Warning::About::offset, still.fit.reasons.front()}};
   add(", a joint that never moved", still);
 }
 

@@ -125,10 +125,11 @@ NoiseConsistentFit fitWithNoise(const Measurements& measurements, const Model& m
 }
 
 /// Excludes, one at a time, observations whose board was displaced beyond doubt under any explanation: a tenth of all
-/// at most. Returns the remaining measurements, or nothing if none was excluded.
+/// at most, rounded up. Returns the remaining measurements, or nothing if none was excluded.
 std::optional<Measurements> excludeMovedBoards(const Measurements& measurements, const Model& model,
                                                const CalibrationOptions& options, NoiseConsistentFit& answer) {
-  const auto most = static_cast<std::size_t>(std::ceil(0.1 * static_cast<double>(countViews(measurements))));
+  constexpr double share = 0.1;
+  const auto most = static_cast<std::size_t>(std::ceil(share * static_cast<double>(countViews(measurements))));
   std::optional<Measurements> kept;
   for (std::size_t aside = 0; aside < most; ++aside) {
     const Measurements& used = kept ? *kept : measurements;

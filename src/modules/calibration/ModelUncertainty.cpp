@@ -303,14 +303,7 @@ double describe(const Measurements& measurements, const MissingEffectAnalysis& e
   result += 2 * static_cast<double>(explained.effects.size()) *
             std::log(std::max<double>(1, static_cast<double>(explained.names.size())));
   result += 4 * static_cast<double>(measurements.cornerCount) * std::log(noise.pixel);
-  for (const ImageObservation& picture : measurements.pictures) {
-    for (const WitnessObservation& observation : picture.witnesses) {
-      for (const Witness::Part& part : observation.witness->parts()) {
-        result += 2 * static_cast<double>(part.count) * std::log(sigmaOf(measurements, noise, part.level));
-      }
-    }
-  }
-  return result;
+  return result + logNoiseOfReadings(measurements, noise);
 }
 
 void fillCompleteness(const CandidateTests& tests, const Robot& robot, CalibrationResult& result) {

@@ -30,20 +30,22 @@ void addSums(const PoseSystem& further, double factor, PoseSystem& system) {
   system.jointErrorGradient += factor * further.jointErrorGradient;
 }
 
+/// As `logNoiseOfReadings`, of these numbers of readings.
+double logNoiseOf(const std::vector<double>& readings, const Measurements& measurements, const Noise& noise) {
+  double result = 0;
+  for (std::size_t level = 0; level < readings.size(); ++level) {
+    result += 2 * readings[level] * std::log(sigmaOf(measurements, noise, level));
+  }
+  return result;
+}
+
 /// The restricted deviance at a fit's unknowns. The sums of each unknown level's rows are taken once; a level sigma
 /// weighs them by 1 / sigma^2.
 class RestrictedDeviance {
 public:
   RestrictedDeviance(const Measurements& measurements, const Model& wide, const Noise& noise, Eigen::VectorXd unknowns)
-      : measurements_{measurements}, sigmas_{wide.sigmas()}, unknowns_{std::move(unknowns)},
-        rows_(measurements.levels.size(), 0) {
-    for (const ImageObservation& picture : measurements.pictures) {
-      for (const WitnessObservation& observation : picture.witnesses) {
-        for (const Witness::Part& part : observation.witness->parts()) {
-          rows_[part.level] += observation.weight > 0 ? static_cast<double>(part.count) : 0;
-        }
-      }
-    }
+      : measurements_{measurements}, sigmas_{wide.sigmas()}, unknowns_{std::move(unknowns)}, rows_{countReadings(
+                                                                                                 measurements)} {
     constexpr double nothing = 1e9; // [m] or [rad]: a sigma that tells nothing
     Noise only = noise;
     only.readings.clear();
@@ -85,10 +87,7 @@ public:
     }
     const Eigen::LLT<Eigen::MatrixXd> factor{hessian};
     deviance += logDeterminant(factor) - gradient.dot(factor.solve(gradient));
-    for (std::size_t level = 0; level < rows_.size(); ++level) {
-      deviance += 2 * rows_[level] * std::log(sigmaOf(measurements_, noise, level));
-    }
-    return deviance;
+    return deviance + logNoiseOf(rows_, measurements_, noise);
   }
 
 private:
@@ -165,6 +164,22 @@ double mostNoiseOf(const ReadingLevel& level) {
   return level.unit == ReadingLevel::Unit::radians ? threshold::mostTurnNoise
          : level.name == contactLevel              ? threshold::mostContactNoise
                                                    : threshold::mostPointNoise;
+}
+
+std::vector<double> countReadings(const Measurements& measurements) {
+  std::vector<double> result(measurements.levels.size(), 0);
+  for (const ImageObservation& picture : measurements.pictures) {
+    for (const WitnessObservation& observation : picture.witnesses) {
+      for (const Witness::Part& part : observation.witness->parts()) {
+        result[part.level] += observation.weight > 0 ? static_cast<double>(part.count) : 0;
+      }
+    }
+  }
+  return result;
+}
+
+double logNoiseOfReadings(const Measurements& measurements, const Noise& noise) {
+  return logNoiseOf(countReadings(measurements), measurements, noise);
 }
 
 Noise estimateReadingNoise(const Measurements& all, const Model& model, const Fit& fit, Noise noise,

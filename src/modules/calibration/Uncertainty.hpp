@@ -16,8 +16,8 @@ CalibrationResult estimateUncertainty(const Measurements& measurements, const Mo
 /// Directions in the space of the physical unknowns (each in units of its prior sigma) with a wide posterior.
 std::vector<WeakDirection> findWeakDirections(const Model& model, const CalibrationResult& result);
 
-/// Wald statistic of a term's unknowns against zero: chi2 with one degree of freedom per unknown. With the estimates and
-/// sigmas as reported, and the correlations of the fit.
+/// Wald statistic of a term's unknowns against zero: chi2 with one degree of freedom per unknown. With the estimates
+/// and sigmas as reported, and the correlations of the fit.
 double computeWald(const CalibrationResult& fit, const Term& term);
 
 } // namespace naocal

@@ -42,7 +42,8 @@ CalibrationResult calibrateChecked(const Measurements& measurements, const Model
   }
   if (!result.setUps.empty()) {
     result.suspicious = suspect(result.setUps);
-  } else if (tests && (result.verdict != ResultVerdict::good || measurements.hasUnknownNoise())) { // which accidents raise
+  } else if (tests && (result.verdict != ResultVerdict::good || measurements.hasUnknownNoise())) {
+    // accidents raise noise that is estimated, until the result looks good
     result.suspicious = explainByAccidents({weighed ? *weighed : measurements, model, result}, *tests, measurements);
   }
   if (!result.suspicious.empty()) {

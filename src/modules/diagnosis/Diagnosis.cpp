@@ -281,9 +281,7 @@ private:
     result_.anomalies.insert(result_.anomalies.begin(), slipped.begin(), slipped.end());
     result_.anomaliesBeside = result_.anomaliesBeside && slipped.empty();
     result_.verdict = verdictOf(result_, selection_.fit(), {missing, last_.unknown()}, measurements_);
-    if (result_.verdict == Verdict::adequate || result_.verdict == Verdict::scatter) {
-      judgeUselessFit();
-    }
+    doubtFit();
     result_.with = selection_.added();
     std::vector<Term> named = selection_.model().terms();
     for (const CandidateFinding& finding : result_.ranking) {
@@ -294,16 +292,21 @@ private:
     result_.notes = describeAssumptions(measurements_, named);
   }
 
-  /// Captures that a model explains, and on which nothing may rest all the same: they tell no offsets, or what the fit
-  /// takes for noise no instrument has.
-  void judgeUselessFit() {
-    std::vector<std::string> against = listImpossible({measurements_, asked_, result_.fit});
-    if (auto still = describeStillJoints({measurements_, asked_, result_.fit})) {
-      against.push_back(*std::move(still));
+  /// Nothing may rest on captures whose fit has errors, noise or zeros that no robot has where nothing is named as
+  /// their cause, or on such that a model explains and that tell nothing of offsets.
+  void doubtFit() {
+    const FittedModel first{measurements_, asked_, result_.fit};
+    const Verdict verdict = result_.verdict;
+    if (verdict == Verdict::adequate || verdict == Verdict::scatter || verdict == Verdict::inconclusive) {
+      for (std::string& sentence : listImpossible(first)) {
+        result_.anomalies.push_back({{}, std::move(sentence)});
+        result_.verdict = Verdict::badCaptures;
+      }
     }
-    if (!against.empty()) {
-      result_.anomalies.push_back({{}, against.front()});
-      result_.hasUselessFit = true;
+    const auto still = describeStillJoints(first);
+    if (still && result_.verdict == Verdict::adequate) {
+      result_.anomalies.push_back({{}, *still});
+      result_.hasStillJoints = true;
       result_.verdict = Verdict::badCaptures;
     }
   }
@@ -437,6 +440,7 @@ Diagnosis diagnoseWithoutSpoiled(const Measurements& given, const Model& asked, 
     appendNewAnomalies(next.anomalies, result.anomalies);
     next.anomalies = result.anomalies;
     next.anomaliesBeside = result.anomaliesBeside;
+    next.hasStillJoints = false; // not alone
     next.alarm = result.alarm;
     copyLoneEvidence(result.ranking, next.ranking);
     next.verdict = Verdict::badCaptures;

@@ -26,7 +26,7 @@ enum class Verdict {
   unknownEffect, // only a curve without a name explains the misfit
   scatter,       // significant joint scatter
   inconclusive,  // the misfit is real, but no single cause stands out
-  badCaptures    // the captures contain an accident or a set-up error
+  badCaptures    // the captures contain an accident or a set-up error, or the fit what no robot or instrument has
 };
 
 /// The state of one candidate given these captures.
@@ -93,7 +93,7 @@ struct Diagnosis {
   std::vector<DriverScore> driverScores; // for the last model
   std::string rivalCurve; // a curve at least about as likely as the likeliest effects: "LKneePitch over q"; empty: none
   std::vector<DataAnomaly> anomalies;
-  bool hasUselessFit = false;     // whether the model explains bad captures: joints never moved, or noise is impossible
+  bool hasStillJoints = false;    // whether the captures are bad only since joints never moved; the model explains them
   bool anomaliesBeside = false;   // whether these were found beside the suggestions, which explain more
   std::vector<std::string> notes; // what was taken for granted about the captures (`describeAssumptions`)
   Figures figures;

@@ -101,7 +101,7 @@ std::string findUnlearned(const CalibrationResult& fit) {
 std::string formatAdequate(const Diagnosis& diagnosis) {
   const ErrorUnit& unit = diagnosis.unit;
   const std::string trivial = formatTrivial(diagnosis);
-  const std::string against = diagnosis.hasUselessFit ? diagnosis.anomalies.front().why : findUnlearned(diagnosis.fit);
+  const std::string against = findUnlearned(diagnosis.fit);
   return fmt::format(
       "The model explains these captures: the error is {:.2f} {unit}, the noise floor {:.2f} {unit}.{}{}",
       unit.perPx * diagnosis.rmsPx, unit.perPx * diagnosis.lackOfFit.noiseFloorPx,
@@ -292,7 +292,7 @@ std::string formatAnomalies(const std::vector<DataAnomaly>& anomalies) {
 std::string summarize(const Diagnosis& diagnosis) {
   switch (diagnosis.verdict) {
   case Verdict::badCaptures:
-    if (diagnosis.hasUselessFit) {
+    if (diagnosis.hasStillJoints) {
       return formatAdequate(diagnosis);
     }
     return diagnosis.anomaliesBeside && !diagnosis.suggested.empty() && !diagnosis.own

@@ -55,8 +55,9 @@ std::vector<DriverBasis> stepBases(const std::set<double>& times);
 /// Square-root basis over a driver with these values.
 DriverBasis rootBasis(const std::set<double>& distinct);
 
-/// From one time to the next.
+/// Two neighbouring times.
 using TimeGap = std::pair<double, double>;
+/// In order; none of fewer than two times.
 std::vector<TimeGap> gapsBetween(const std::set<double>& times);
 /// Midpoints of at most `most` gaps, which are in order: they are divided into `most` runs of about equal number, and
 /// each run contributes its widest gap. A one-off event falls between captures, most likely into the longest gap.

@@ -128,7 +128,7 @@ struct SharedCause {
 
 /// Measurements that the fit's loss rejects (`outlierWeight`), and the errors that the others leave.
 struct RejectedMeasurements {
-  std::size_t views = 0, ofViews = 0;       // of boards that do not lie where the others put them; of all
+  std::size_t views = 0, ofViews = 0;       // of boards, which do not lie where the others put them; of all
   std::size_t corners = 0, ofCorners = 0;   // on boards that lie where the others put them; of all corners
   std::size_t readings = 0, ofReadings = 0; // other than corners
   double presentPx = 0;                     // rms distance without displaced boards; as `CalibrationResult::rmsPx`

@@ -26,7 +26,8 @@ std::string formatDisplaced(const RejectedMeasurements& rejected) {
 
 /// Whether more than 5 % of the board views: these are no accidents.
 bool areManyDisplaced(const RejectedMeasurements& rejected) {
-  return static_cast<double>(rejected.views) > 0.05 * static_cast<double>(rejected.ofViews);
+  constexpr double share = 0.05;
+  return static_cast<double>(rejected.views) > share * static_cast<double>(rejected.ofViews);
 }
 
 /// For example "the error is 4.49 px, the noise floor 0.65 px"; of what is left where measurements that are rejected

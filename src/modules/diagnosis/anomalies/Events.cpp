@@ -20,6 +20,7 @@
 #include <fmt/ranges.h>
 #include <iterator>
 #include <map>
+#include <numeric>
 #include <set>
 #include <utility>
 
@@ -143,10 +144,11 @@ Moment momentIn(std::size_t set, const std::set<double>& times, double time) {
   return {set, time, *std::prev(after), *after};
 }
 
-/// Prior of a moment: 2 ln of its gap's length relative to the mean of `count` gaps in these times.
-double priorOf(const Moment& moment, const std::set<double>& times, std::size_t count) {
-  const double share = (moment.until - moment.since) / (*times.rbegin() - *times.begin());
-  return 2 * std::log(static_cast<double>(count) * share);
+/// Prior of a moment: 2 ln of its gap's length relative to the mean of `count` gaps as long as these together.
+double priorOf(const Moment& moment, const std::vector<TimeGap>& gaps, std::size_t count) {
+  const double whole = std::accumulate(gaps.begin(), gaps.end(), 0.0,
+                                       [](double sum, const TimeGap& gap) { return sum + gap.second - gap.first; });
+  return 2 * std::log(static_cast<double>(count) * (moment.until - moment.since) / whole);
 }
 
 std::string formatSet(std::size_t set, const Measurements& measurements) {
@@ -210,37 +212,42 @@ Sightings collectSightings(const Measurements& measurements) {
   return result;
 }
 
-/// Per set, the times at which the robot was first seen in a pose that it had come to.
+/// Per set, the times of the captures before which the robot went to another pose or stance.
 std::vector<std::set<double>> collectStarts(const Measurements& measurements) {
-  std::vector<std::map<double, std::string>> poses(measurements.sets->size());
+  std::vector<std::map<double, const Capture*>> captures(measurements.sets->size());
   for (const ImageObservation& picture : measurements.pictures) {
-    poses[picture.set][picture.instant.time.count()] = measurements.captureOf(picture).pose;
+    captures[picture.set][picture.instant.time.count()] = &measurements.captureOf(picture);
   }
   std::vector<std::set<double>> result;
-  for (const std::map<double, std::string>& ofSet : poses) {
+  for (const std::map<double, const Capture*>& ofSet : captures) {
     std::set<double>& starts = result.emplace_back();
-    std::string last;
-    for (const auto& [time, pose] : ofSet) {
-      if (starts.empty() || pose != last) {
+    const Capture* before = nullptr;
+    for (const auto& [time, capture] : ofSet) {
+      if (before == nullptr || before->pose != capture->pose || before->stance != capture->stance) {
         starts.insert(time);
       }
-      last = pose;
+      before = capture;
     }
   }
   return result;
 }
 
-/// At most `most` moments between sightings. If there are more, only those at which the robot moved to a pose count:
-/// what is knocked hardly ever is while it rests, and at a moment within a rest, half of its captures speak against all
-/// that happened shortly before or after.
-std::vector<double> momentsBetween(const std::set<double>& seen, const std::set<double>& starts, std::size_t most) {
-  const std::vector<TimeGap> all = gapsBetween(seen);
-  std::vector<TimeGap> moving;
-  std::copy_if(all.begin(), all.end(), std::back_inserter(moving), [&](const TimeGap& gap) {
+/// Gaps between sightings in which to look for at most `most` moments. If there are more, those between poses come
+/// first, then the widest: at a moment among captures of one pose, half of these speak against all that happened
+/// shortly before or after.
+std::vector<TimeGap> chooseGaps(const std::set<double>& seen, const std::set<double>& starts, std::size_t most) {
+  std::vector<TimeGap> gaps = gapsBetween(seen);
+  const auto isBetweenPoses = [&](const TimeGap& gap) {
     const auto start = starts.upper_bound(gap.first);
     return start != starts.end() && *start <= gap.second;
-  });
-  return midpointsOf(all.size() > most && !moving.empty() ? moving : all, most);
+  };
+  const auto width = [](const TimeGap& gap) { return gap.second - gap.first; };
+  const auto within = std::stable_partition(gaps.begin(), gaps.end(), isBetweenPoses);
+  std::stable_sort(within, gaps.end(), [&](const TimeGap& a, const TimeGap& b) { return width(a) > width(b); });
+  const auto between = static_cast<std::size_t>(within - gaps.begin());
+  gaps.resize(std::min(gaps.size(), std::max(between, most)));
+  std::sort(gaps.begin(), gaps.end());
+  return gaps;
 }
 
 /// Displacements of boards, stances, cameras and joint zeros, at up to `most` moments each.
@@ -250,7 +257,8 @@ std::vector<TransientEvent> movesAt(std::size_t most, const Measurements& measur
   const auto addMoves = [&](const Times& times, const auto& effect, const auto& name, const auto& idOf) {
     for (const auto& [which, seen] : times) {
       const auto& [set, at] = which;
-      const std::vector<double> moments = momentsBetween(seen, starts[set], most);
+      const std::vector<TimeGap> gaps = chooseGaps(seen, starts[set], most);
+      const std::vector<double> moments = midpointsOf(gaps, most);
       for (const double time : moments) {
         const Moment moment = momentIn(set, seen, time);
         const std::string who = name(at), where = formatSet(set, measurements);
@@ -260,7 +268,7 @@ std::vector<TransientEvent> movesAt(std::size_t most, const Measurements& measur
                           .where = where,
                           .moved = idOf(at),
                           .set = set,
-                          .prior = priorOf(moment, seen, moments.size())});
+                          .prior = priorOf(moment, gaps, moments.size())});
       }
     }
   };
@@ -428,7 +436,7 @@ std::optional<EventEstimate> estimateEvent(const TransientEvent& event, const Fi
     EventEstimate estimate{{},
                            result.noise,
                            leavesOutliers(event, fitted.measurements, result) ||
-                               computeWald(result, larger.terms().back()) < threshold::veryStrong};
+                               !(computeWald(result, larger.terms().back()) >= threshold::veryStrong)};
     for (std::size_t i = 0; i < term.effect.unknowns.size(); ++i) {
       const Estimate& one = result.estimates[first + i];
       const auto [low, high] = one.interval();

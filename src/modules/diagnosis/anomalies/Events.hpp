@@ -34,11 +34,12 @@ bool isSameThing(const TransientEvent& one, const TransientEvent& other);
 std::string describeEvent(const TransientEvent& event, const std::vector<EventValue>& values);
 
 /// Possible displacements of boards, robot, cameras, trackers and joint zeros, each at up to 16 moments between
-/// captures, between poses if there are more; single bad pictures (the 128 with the largest errors); and boards displaced in one picture (the 48 views
-/// that lie farthest off).
+/// captures, between poses first if there are more; single bad pictures (the 128 with the largest errors); and boards
+/// displaced in one picture (the 48 views that lie farthest off).
 std::vector<TransientEvent> enumerateEvents(const Measurements& measurements, const CalibrationResult& fit);
 
-/// The same events at all moments between two captures, at most 128 per object, between poses if there are more.
+/// The same events at all moments between two captures, at most 128 per object: those between poses
+/// first, if there are more.
 std::vector<TransientEvent> spreadOverTime(const std::vector<TransientEvent>& things, const Measurements& measurements);
 
 /// Fit with an event in the model. Far from zero the linearised evidence confuses objects and moments.

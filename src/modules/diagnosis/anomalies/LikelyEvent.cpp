@@ -1,5 +1,6 @@
 #include "diagnosis/anomalies/LikelyEvent.hpp"
 
+#include "calibration/ReadingNoise.hpp"
 #include "diagnosis/StepwiseSelection.hpp"
 #include "diagnosis/anomalies/Events.hpp"
 #include "diagnosis/anomalies/WrongAngles.hpp"
@@ -7,7 +8,6 @@
 #include "inference/ScoreTest.hpp"
 #include "inference/Thresholds.hpp"
 #include "io/InputError.hpp"
-#include "math/Parallel.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,26 +21,38 @@ namespace naocal {
 
 namespace {
 
+bool areSame(const Noise& one, const Noise& other) {
+  return one.pose == other.pose && one.reapproach == other.reapproach && one.readings == other.readings;
+}
+
 /// Noise levels to try: those of the fit and, with few poses, lower scatter, since a single bad pose inflates the
 /// scatter of all. Where the noise of readings was estimated, lower levels of it, all of them together with the scatter
 /// and each alone: what moved inflates them, and what only shifted inflates that of places, not that of turns.
 std::vector<Noise> lowerLevels(const Noise& noise, const Measurements& measurements) {
-  std::vector<Noise> result{noise};
-  result.front().readings.clear();
+  Noise fitted = noise;
+  fitted.readings.clear();
+  std::vector<std::size_t> estimated;
   for (std::size_t level = 0; level < measurements.levels.size(); ++level) {
-    result.front().readings.push_back(sigmaOf(measurements, noise, level));
+    fitted.readings.push_back(sigmaOf(measurements, noise, level));
+    if (!measurements.levels[level].isGiven) {
+      estimated.push_back(level);
+    }
   }
+  std::vector<Noise> result{fitted};
   const auto add = [&](double ofScatter, const std::vector<std::size_t>& read, double ofReadings) {
-    Noise less = result.front();
+    Noise less = fitted;
     less.pose *= ofScatter;
     less.reapproach *= ofScatter;
     for (const std::size_t level : read) {
       double& sigma = less.readings[level];
       sigma = std::max(std::min(sigma, threshold::leastReadingNoise), ofReadings * sigma);
     }
-    result.push_back(std::move(less));
+    if (std::none_of(result.begin(), result.end(), [&](const Noise& known) { return areSame(known, less); })) {
+      result.push_back(std::move(less));
+    }
   };
-  if (noise.pose + noise.reapproach > 0 && measurements.poses.size() < threshold::fewPoses) {
+  const bool scatters = noise.pose + noise.reapproach > 0;
+  if (scatters && measurements.poses.size() < threshold::fewPoses) {
     for (const double part : {0.0, 0.25, 0.5}) {
       add(part, {}, 1);
     }
@@ -48,49 +60,26 @@ std::vector<Noise> lowerLevels(const Noise& noise, const Measurements& measureme
       add(0.1, {}, 1);
     }
   }
-  std::vector<std::size_t> estimated;
-  for (std::size_t level = 0; level < measurements.levels.size(); ++level) {
-    if (!measurements.levels[level].isGiven) {
-      estimated.push_back(level);
-    }
-  }
   for (const double part : {1.0 / 2, 1.0 / 4, 1.0 / 8, 1.0 / 16, 1.0 / 32}) {
     if (!estimated.empty()) {
       add(part, estimated, part);
     }
-    for (std::size_t i = 0; estimated.size() > 1 && i < estimated.size(); ++i) {
-      add(1, {estimated[i]}, part);
+    for (const std::size_t level : estimated) {
+      add(1, {level}, part);
     }
   }
   return result;
 }
 
-/// Number of readings' components per noise level.
-std::vector<double> countComponents(const Measurements& measurements) {
-  std::vector<double> result(measurements.levels.size(), 0);
-  for (const ImageObservation& picture : measurements.pictures) {
-    for (const WitnessObservation& observation : picture.witnesses) {
-      for (const Witness::Part& part : observation.witness->parts()) {
-        result[part.level] += observation.weight > 0 ? static_cast<double>(part.count) : 0;
-      }
-    }
+/// -2 ln likelihood of the model without groups at the tests' noise level, up to a constant that is the same at all
+/// levels.
+double devianceOf(const MeasuredTests& tests, const Measurements& measurements) {
+  const Noise& noise = tests.alone.noise();
+  double result = tests.outcome.deviance[0] + poseNoisePenalty(noise.pose) + poseNoisePenalty(noise.reapproach);
+  for (const PoseRows& pose : *tests.alone.problem().poses) {
+    result += pose.squares / (noise.pixel * noise.pixel);
   }
-  return result;
-}
-
-/// -2 ln likelihood of the model without groups at a noise level, up to a constant that is the same at all levels.
-double devianceAt(const Noise& level, const ScoreProblem& problem, const PoseResiduals& measured,
-                  const Measurements& measurements) {
-  double result = NullModel{problem, level}(measured, problem.priorScore()).deviance[0] + poseNoisePenalty(level.pose) +
-                  poseNoisePenalty(level.reapproach);
-  for (const PoseRows& pose : *problem.poses) {
-    result += pose.squares / (level.pixel * level.pixel);
-  }
-  const std::vector<double> components = countComponents(measurements);
-  for (std::size_t i = 0; i < components.size(); ++i) {
-    result += 2 * components[i] * std::log(sigmaOf(measurements, level, i));
-  }
-  return result;
+  return result + logNoiseOfReadings(measurements, noise);
 }
 
 /// Best Bayes factor of each group over the noise levels, relative to the model at the first level, that of the fit,
@@ -101,30 +90,21 @@ std::vector<double> findBestAtAnyLevel(const CandidateTests& candidateTests, con
   for (const GroupEvidence& group : candidateTests.evidence().groups) {
     result.push_back(group.bayes);
   }
-  if (levels.size() == 1) {
-    return result;
-  }
-  const double first =
-      devianceAt(levels.front(), candidateTests.problem(), candidateTests.measured().residuals, fitted.measurements);
-  std::vector<std::vector<double>> found(levels.size());
-  parallelFor(levels.size() - 1, [&](std::size_t i) {
-    const Noise& level = levels[i + 1];
+  const double first = devianceOf(candidateTests.measured(), fitted.measurements);
+  for (auto level = levels.begin() + 1; level != levels.end(); ++level) {
     std::optional<WideModel> anew; // rows are in units of the readings' noise
-    if (level.readings != levels.front().readings) {
+    if (level->readings != levels.front().readings) {
       Noise read = levels.front();
-      read.readings = level.readings;
+      read.readings = level->readings;
       anew.emplace(fitted.measurements, fitted.model, candidateTests.candidates(),
                    FittedPoint{fitted.fit.state, read, fitted.fit.loss}, candidateTests.curveCount() > 0);
     }
-    const MeasuredTests measured{anew ? anew->problem() : candidateTests.problem(), level};
-    const double rise = devianceAt(level, measured.alone.problem(), measured.residuals, fitted.measurements) - first;
-    for (const GroupEvidence& group : computeEvidence(measured).groups) {
-      found[i + 1].push_back(group.bayes - rise);
+    const MeasuredTests measured{anew ? anew->problem() : candidateTests.problem(), *level};
+    const double rise = devianceOf(measured, fitted.measurements) - first;
+    const Evidence evidence = computeEvidence(measured);
+    for (std::size_t i = 0; i < result.size(); ++i) {
+      result[i] = std::max(result[i], evidence.groups[i].bayes - rise);
     }
-  });
-  for (std::size_t level = 1; level < levels.size(); ++level) {
-    std::transform(result.begin(), result.end(), found[level].begin(), result.begin(),
-                   [](double best, double here) { return std::max(best, here); });
   }
   return result;
 }

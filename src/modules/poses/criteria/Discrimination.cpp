@@ -208,7 +208,7 @@ ModelAmbiguity findAmbiguity(const Diagnosis& diagnosis, const Robot& robot, con
                           .without = asked.without,
                           .effects = asked.calibration.effects,
                           .why = {}};
-  if (diagnosis.verdict == Verdict::badCaptures && !diagnosis.hasUselessFit) {
+  if (diagnosis.verdict == Verdict::badCaptures && !diagnosis.hasStillJoints) {
     question.whyNone = "put the captures right first, further ones would suffer from the same";
     return question;
   }
