@@ -30,6 +30,19 @@ void addSums(const PoseSystem& further, double factor, PoseSystem& system) {
   system.jointErrorGradient += factor * further.jointErrorGradient;
 }
 
+/// Number of scalar readings per noise level, of those with a weight.
+std::vector<double> countReadings(const Measurements& measurements) {
+  std::vector<double> result(measurements.levels.size(), 0);
+  for (const ImageObservation& picture : measurements.pictures) {
+    for (const WitnessObservation& observation : picture.witnesses) {
+      for (const Witness::Part& part : observation.witness->parts()) {
+        result[part.level] += observation.weight > 0 ? static_cast<double>(part.count) : 0;
+      }
+    }
+  }
+  return result;
+}
+
 /// As `logNoiseOfReadings`, of these numbers of readings.
 double logNoiseOf(const std::vector<double>& readings, const Measurements& measurements, const Noise& noise) {
   double result = 0;
@@ -44,8 +57,7 @@ double logNoiseOf(const std::vector<double>& readings, const Measurements& measu
 class RestrictedDeviance {
 public:
   RestrictedDeviance(const Measurements& measurements, const Model& wide, const Noise& noise, Eigen::VectorXd unknowns)
-      : measurements_{measurements}, sigmas_{wide.sigmas()}, unknowns_{std::move(unknowns)}, rows_{countReadings(
-                                                                                                 measurements)} {
+      : measurements_{measurements}, sigmas_{wide.sigmas()}, unknowns_{std::move(unknowns)} {
     constexpr double nothing = 1e9; // [m] or [rad]: a sigma that tells nothing
     Noise only = noise;
     only.readings.clear();
@@ -104,7 +116,7 @@ private:
 
   const Measurements& measurements_;
   Eigen::VectorXd sigmas_, unknowns_;
-  std::vector<double> rows_;       // per level
+  const std::vector<double> rows_ = countReadings(measurements_); // per level
   std::vector<PoseSystem> others_; // per pose: corners, the floor, and readings whose noise is given
   std::map<std::size_t, std::vector<PoseSystem>> ofLevels_; // by unknown level, per pose: its rows over `unit`
 };
@@ -164,18 +176,6 @@ double mostNoiseOf(const ReadingLevel& level) {
   return level.unit == ReadingLevel::Unit::radians ? threshold::mostTurnNoise
          : level.name == contactLevel              ? threshold::mostContactNoise
                                                    : threshold::mostPointNoise;
-}
-
-std::vector<double> countReadings(const Measurements& measurements) {
-  std::vector<double> result(measurements.levels.size(), 0);
-  for (const ImageObservation& picture : measurements.pictures) {
-    for (const WitnessObservation& observation : picture.witnesses) {
-      for (const Witness::Part& part : observation.witness->parts()) {
-        result[part.level] += observation.weight > 0 ? static_cast<double>(part.count) : 0;
-      }
-    }
-  }
-  return result;
 }
 
 double logNoiseOfReadings(const Measurements& measurements, const Noise& noise) {

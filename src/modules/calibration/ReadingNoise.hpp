@@ -3,17 +3,13 @@
 #include "calibration/Fit.hpp"
 #include "calibration/result/CalibrationResult.hpp"
 
-#include <vector>
-
 namespace naocal {
 
 /// The largest noise that an instrument of this kind has [m] or [rad]: the upper end of what is estimated.
 double mostNoiseOf(const ReadingLevel& level);
 
-/// Number of scalar readings per noise level, of those with a weight.
-std::vector<double> countReadings(const Measurements& measurements);
-
-/// Sum of 2 ln sigma over all of them: the part of -2 ln likelihood that depends on the levels alone.
+/// Sum of 2 ln sigma over all scalar readings with a weight: the part of -2 ln likelihood that depends on the noise
+/// levels alone.
 double logNoiseOfReadings(const Measurements& measurements, const Noise& noise);
 
 /// Estimates the noise levels of readings (`Measurements::levels`) that the sets do not give, one after the other, and

@@ -292,8 +292,8 @@ private:
     result_.notes = describeAssumptions(measurements_, named);
   }
 
-  /// Nothing may rest on captures whose fit has errors, noise or zeros that no robot has where nothing is named as
-  /// their cause, or on such that a model explains and that tell nothing of offsets.
+  /// Nothing may rest on a fit with errors, noise or zeros that no robot has and no named cause, nor on captures that
+  /// a model explains but that tell nothing of offsets.
   void doubtFit() {
     const FittedModel first{measurements_, asked_, result_.fit};
     const Verdict verdict = result_.verdict;
