@@ -65,6 +65,20 @@ TEST_CASE("a table of joint angles and tracked positions becomes a capture set t
   CHECK(set.instruments.markers[0].link == "eye"); // fixed to the last moved link
 }
 
+TEST_CASE("a table may have the temperatures of some joints") {
+  // Proves that the set reads back, and that a joint without a column has none.
+  const TemporaryDirectory folder;
+  const TableImport result = import("t,q1,q2,q3,shoulder_lift_temp,hand_x_mm,hand_y_mm,hand_z_mm\n"
+                                    "10,90,0,0.1,31.5,1000,0,500\n"
+                                    "11,80,0,0.1,32,1001,0,500\n");
+  writeImport(result.imported, folder.path() / "set");
+  const JointReadings joints = readCaptureSet(folder.path() / "set").set.captures.at(0).joints;
+  REQUIRE(joints.temperature.size() == 3);
+  CHECK(std::isnan(joints.temperature[0]));
+  CHECK(joints.temperature[1] == 31.5);
+  CHECK(std::isnan(joints.temperature[2]));
+}
+
 TEST_CASE("a table's rows of one pose are repeats that were approached anew where their angles differ") {
   // A rest gives its pictures the mean of its readings; a joint that moved between two pictures would be misread.
   const TemporaryDirectory folder;

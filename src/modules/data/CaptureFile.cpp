@@ -21,6 +21,7 @@ struct JointList {
   const char* key;
   std::vector<double> JointReadings::*values;
   Range range;
+  bool isOfSome = false; // some joints have no sensor for it
 };
 
 constexpr std::array<JointList, 6> jointLists{{
@@ -28,7 +29,7 @@ constexpr std::array<JointList, 6> jointLists{{
     {"commanded", &JointReadings::commanded, angleRange},
     {"velocity", &JointReadings::velocity, {-100, 100, "rad/s"}},
     {"approach", &JointReadings::approach, {-1, 1, "(-1, 0 or +1)"}},
-    {"temperature", &JointReadings::temperature, {-100, 500, "degrees Celsius"}},
+    {"temperature", &JointReadings::temperature, {-100, 500, "degrees Celsius"}, true},
     {"current", &JointReadings::current, {-100, 100, "A"}},
 }};
 
@@ -52,7 +53,8 @@ void requireOneHipYawPitch(const std::vector<double>& measured, const CaptureSet
   }
 }
 
-/// Reads one list under `joints`; NaN stands for null, which is valid where `measured` has it too.
+/// Reads one list under `joints`; NaN stands for null, which is valid where `measured` has it too, or of a joint
+/// without a sensor.
 std::vector<double> readJointList(const JsonCursor& place, const JointList& list, const JointReadings& joints,
                                   SetReading& reading) {
   std::vector<double> values;
@@ -69,7 +71,7 @@ std::vector<double> readJointList(const JsonCursor& place, const JointList& list
   }
   for (std::size_t i = 0; i < values.size(); ++i) {
     const bool isRecorded = i < joints.measured.size() && !std::isnan(joints.measured[i]);
-    if (std::isnan(values[i]) && isRecorded && place.value()[i].is_null()) {
+    if (std::isnan(values[i]) && isRecorded && !list.isOfSome && place.value()[i].is_null()) {
       reading.refusals.attempt([&] { place.elements()[i].number(list.range); });
     }
   }

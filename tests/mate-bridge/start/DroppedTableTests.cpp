@@ -137,7 +137,9 @@ TEST_CASE("a dropped table and its URDF are shown with the guessed columns, and 
     const DroppedTable::Written written = table.write();
     REQUIRE(written.temporary);
     CHECK(written.set.filename() == "log");
-    CHECK(written.sentences == std::vector<std::string>{"2 rows, 2 captures"});
+    CHECK(written.sentences ==
+          std::vector<std::string>{"2 rows, 2 captures",
+                                   "marker hand was taken to be on link eye, the last that the joints move"});
     const CaptureSet set = readCaptureSet(written.set.string()).set;
     CHECK(set.captures.at(1).joints.measured.at(2) == Approx(0.0002));
     CHECK(set.captures.at(1).time == Seconds{1}); // the number of the row
@@ -256,7 +258,10 @@ TEST_CASE("a page that drops a table is told of it, and the imported set is open
   desk.refusesToOpen.clear();
   desk.page.imports().write(5);
   desk.next();
-  CHECK(desk.next() == Json{{"kind", "import"}, {"table", nullptr}, {"sentence", "2 rows, 2 captures"}});
+  CHECK(desk.next() == Json{{"kind", "import"},
+                            {"table", nullptr},
+                            {"sentence", "2 rows, 2 captures; marker hand was taken to be on link eye, the "
+                                         "last that the joints move"}});
   REQUIRE(desk.opened.size() == 2);
   CHECK(std::filesystem::exists(desk.opened[1] + "/captures.json"));
   CHECK(Json::parse(desk.page.message())["recent"].empty());

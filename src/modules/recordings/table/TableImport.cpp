@@ -70,7 +70,7 @@ public:
     result.rows = table_.rows();
     result.imported = beginImport(scene_, names);
     result.imported.files["columns.json"] = columnMapJson(map_).dump(2) + "\n";
-    addInstruments(result.imported.set.instruments);
+    addInstruments(result);
     for (std::size_t row = 0; row < table_.rows(); ++row) {
       Capture capture = readCapture(row, result.imported);
       if (capture.image.empty() && capture.points.empty() && capture.frames.empty()) {
@@ -135,7 +135,8 @@ private:
     return robot.links[last].name;
   }
 
-  void addInstruments(Instruments& instruments) const {
+  void addInstruments(TableImport& result) const {
+    Instruments& instruments = result.imported.set.instruments;
     const auto addTracker = [&](const std::string& id) {
       const bool isKnown = std::any_of(instruments.trackers.begin(), instruments.trackers.end(),
                                        [&](const Tracker& tracker) { return tracker.id == id; });
@@ -149,13 +150,20 @@ private:
       addTracker(point.tracker);
       TrackedMarker marker;
       marker.id = point.marker;
-      marker.link = point.link.empty() ? lastLink() : point.link;
+      marker.link = point.link.empty() ? guessLink("marker " + point.marker, result) : point.link;
       instruments.markers.push_back(marker);
     }
     for (const FrameColumns& frame : map_.frames) {
       addTracker(frame.tracker);
-      instruments.frames.push_back({frame.frame, frame.link.empty() ? lastLink() : frame.link, std::nullopt});
+      instruments.frames.push_back(
+          {frame.frame, frame.link.empty() ? guessLink("frame " + frame.frame, result) : frame.link, std::nullopt});
     }
+  }
+
+  std::string guessLink(const std::string& what, TableImport& result) const {
+    std::string link = lastLink();
+    result.guessed.push_back(fmt::format("{} was taken to be on link {}, the last that the joints move", what, link));
+    return link;
   }
 
   Capture readCapture(std::size_t row, ImportedSet& imported) {
@@ -169,8 +177,9 @@ private:
     }
     for (const JointReader& joint : joints_) {
       capture.joints.measured.push_back(readAngle(row, joint));
-      if (joint.temperature) {
-        capture.joints.temperature.push_back(table_.number(row, *joint.temperature).value_or(std::nan("")));
+      if (!map_.temperature.empty()) { // of all joints or of none
+        const auto read = joint.temperature ? table_.number(row, *joint.temperature) : std::nullopt;
+        capture.joints.temperature.push_back(read.value_or(std::nan("")));
       }
     }
     readPose(row, imported.set.captures, capture);
@@ -354,6 +363,7 @@ std::vector<std::string> summarize(const TableImport& result) {
     lines.push_back(fmt::format("{} rows passed over: no picture, no measured position ({})", result.withoutMeasurement,
                                 listRows(result.passedOver)));
   }
+  lines.insert(lines.end(), result.guessed.begin(), result.guessed.end());
   lines.insert(lines.end(), result.failed.begin(), result.failed.end());
   return lines;
 }
