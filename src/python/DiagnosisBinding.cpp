@@ -79,7 +79,7 @@ SharedDiagnosed diagnoseCaptures(const std::shared_ptr<Captures>& captures, cons
   LongCall call{given.object("progress")};
   const std::size_t most = 2 + measurements.poses.size() / 4; // models tested
   std::size_t done = 0;
-  options.shouldContinue = [&] {
+  options.shouldContinue = [&](std::size_t) {
     call.report(std::min(++done, most - 1), most);
     return true;
   };

@@ -55,23 +55,6 @@ std::pair<double, double> span(const CaptureSet& set) {
 
 } // namespace
 
-TEST_CASE("asked not to add anything, a diagnosis still says what is missing", "[slow]") {
-  // Proves that without adding effects the verdict still follows from the alarm and the best candidate.
-  const auto folder = sharedData("conformance/elasticity-knee");
-  if (!folder) {
-    return;
-  }
-  const CaptureSet set = readCaptureSet(*folder).set;
-  DiagnosisOptions options;
-  options.extend = false;
-  const Measurements measurements = buildMeasurements({set}, loadRobot(configurationDirectory(), set.model));
-  const Diagnosis diagnosis = diagnose(measurements, options);
-  CHECK(diagnosis.verdict == Verdict::effectMissing);
-  CHECK(diagnosis.suggested.empty());
-  REQUIRE_FALSE(diagnosis.ranking.empty());
-  CHECK(diagnosis.ranking.front().term.label() == "elasticity@LKneePitch");
-}
-
 TEST_CASE("the hidden effect of independent captures heads the ranking with its size", "[slow]") {
   // Proves the whole chain on captures of an independent program with one hidden effect each; sets without one are
   // adequate.

@@ -168,8 +168,6 @@ void writeBrowsers() {
 {"do": "goTo", "rung": 0}
 {"do": "define", "effect": {"name": "cable"}}
 {"do": "drop", "label": "jointOffset@HeadYaw"}
-{"do": "search"}
-{"do": "cancel"}
 {"do": "propose", "count": 3}
 {"do": "make", "file": "result.json"}
 {"do": "watch", "robot": "nao21"}

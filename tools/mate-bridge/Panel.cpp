@@ -269,8 +269,6 @@ struct Panel::Implementation {
         {"drop", [](const Request& request) { request.worker().drop(request.at("label")); }},
         {"goTo", [](const Request& request) { request.worker().goTo(request.numberAt("rung")); }},
         {"define", [](const Request& request) { request.worker().defineEffect(request.at("effect")); }},
-        {"search", [](const Request& request) { request.worker().searchMissing(); }},
-        {"cancel", [](const Request& request) { request.worker().cancelSearch(); }},
         {"propose", [](const Request& request) { request.worker().proposePoses(request.numberAt("count")); }},
         {"compare", [](const Request& request) { request.worker().compareWith(request.at("paths")); }},
         {"history", [](const Request& request) { request.bridge.history.refresh(); }},

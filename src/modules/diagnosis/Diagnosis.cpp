@@ -191,11 +191,20 @@ public:
     rankCandidates();
     suggestOwnEffect();
     result_.lastFit = selection_.fit();
+    result_.given = result_.steps.front();
     assembleFigures({{measurements_, asked_, result_.fit}, *firstTests_}, {fitted(), *tests_}, result_);
+    if (last_.unknown()) {
+      addUnnamedCause({fitted(), *tests_}, result_);
+    }
     addDisplacedBoards();
     reachVerdict();
     result_.sentence = summarize(result_);
     return std::move(result_);
+  }
+
+  /// Whether the last model leaves an error that no robot has, and most of that of the `first`.
+  bool leavesImpossible(const CalibrationResult& first) const {
+    return selection_.fit().rmsPx > threshold::correctionShare * first.rmsPx && describeImpossibleError(fitted());
   }
 
 private:
@@ -232,7 +241,7 @@ private:
                            selection_.fieldPersists(*last_.field, tests);
     }
     noteRivalCurve();
-    last_.grows = options_.extend && (!options_.shouldContinue || options_.shouldContinue());
+    last_.grows = !options_.shouldContinue || options_.shouldContinue(result_.suggested.size());
   }
 
   /// Notes a curve that is at least about as likely as the likeliest effects together, before any is added.
@@ -282,6 +291,7 @@ private:
     result_.anomaliesBeside = result_.anomaliesBeside && slipped.empty();
     result_.verdict = verdictOf(result_, selection_.fit(), {missing, last_.unknown()}, measurements_);
     doubtFit();
+    result_.isTentative = isTentative();
     result_.with = selection_.added();
     std::vector<Term> named = selection_.model().terms();
     for (const CandidateFinding& finding : result_.ranking) {
@@ -292,12 +302,29 @@ private:
     result_.notes = describeAssumptions(measurements_, named);
   }
 
+  /// Whether what is suggested may be the best of many candidates by chance: its evidence does not pay for their number
+  /// (K candidates: 2 ln K), and unseen poses are predicted no better.
+  bool isTentative() const {
+    const std::optional<double>&before = result_.steps.front().heldOutPx, &after = result_.steps.back().heldOutPx;
+    if (result_.verdict != Verdict::effectMissing || result_.suggested.empty() || !before || !after ||
+        *after < *before) {
+      return false;
+    }
+    const double price = 2 * std::log(static_cast<double>(firstTests_->candidates().size()));
+    return std::all_of(result_.ranking.begin(), result_.ranking.end(), [&](const CandidateFinding& finding) {
+      const auto& suggested = result_.suggested;
+      return std::find(suggested.begin(), suggested.end(), finding.term.label()) == suggested.end() ||
+             finding.evidence.bayes < price;
+    });
+  }
+
   /// Nothing may rest on a fit with errors, noise or zeros that no robot has and no named cause, nor on captures that
   /// a model explains but that tell nothing of offsets.
   void doubtFit() {
     const FittedModel first{measurements_, asked_, result_.fit};
     const Verdict verdict = result_.verdict;
-    if (verdict == Verdict::adequate || verdict == Verdict::scatter || verdict == Verdict::inconclusive) {
+    const bool isUnexplained = result_.suggested.empty() && verdict != Verdict::unknownEffect;
+    if (isUnexplained && verdict != Verdict::badCaptures) {
       for (std::string& sentence : listImpossible(first)) {
         result_.anomalies.push_back({{}, std::move(sentence)});
         result_.verdict = Verdict::badCaptures;
@@ -342,13 +369,23 @@ private:
   Diagnosis result_;
 };
 
-Diagnosis diagnoseModel(const Measurements& measurements, const Model& asked, const DiagnosisOptions& options) {
-  return ModelDiagnosis{measurements, asked, options}.run();
-}
-
 /// Whether an accident spoiled specific captures only.
 bool isSpoiled(const DataAnomaly& suspicion) {
   return suspicion.capture && suspicion.odds;
+}
+
+/// Without effects where these leave an error that no robot has, and most of it: they explain nothing.
+Diagnosis diagnoseModel(const Measurements& measurements, const Model& asked, const DiagnosisOptions& options) {
+  ModelDiagnosis diagnosis{measurements, asked, options};
+  Diagnosis result = diagnosis.run();
+  const std::vector<DataAnomaly>& found = result.anomalies;
+  if (result.suggested.empty() || result.own || isSetUpWrong(found) ||
+      std::any_of(found.begin(), found.end(), isSpoiled) || !diagnosis.leavesImpossible(result.fit)) {
+    return result;
+  }
+  DiagnosisOptions alone = options;
+  alone.shouldContinue = [](std::size_t) { return false; };
+  return ModelDiagnosis{measurements, asked, alone}.run();
 }
 
 /// Removes a picture's corners and readings.
@@ -425,13 +462,14 @@ void copyLoneEvidence(const std::vector<CandidateFinding>& all, std::vector<Cand
 Diagnosis diagnoseWithoutSpoiled(const Measurements& given, const Model& asked, const DiagnosisOptions& options) {
   constexpr int most = 4; // accidents
   Diagnosis result = diagnoseModel(given, asked, options);
+  const SelectionStep ofAll = result.given;
   const std::optional<Measurements> withKnownApproach = excludeUnknownApproaches(result, given);
   if (withKnownApproach) {
     result = diagnoseModel(*withKnownApproach, asked, options);
   }
   const Measurements& measurements = withKnownApproach ? *withKnownApproach : given;
   std::ptrdiff_t known = 0; // suspicions
-  for (int round = 0; options.extend && round < most; ++round) {
+  for (int round = 0; round < most; ++round) {
     if (std::none_of(result.anomalies.begin() + known, result.anomalies.end(), isSpoiled)) {
       break;
     }
@@ -444,9 +482,11 @@ Diagnosis diagnoseWithoutSpoiled(const Measurements& given, const Model& asked, 
     next.alarm = result.alarm;
     copyLoneEvidence(result.ranking, next.ranking);
     next.verdict = Verdict::badCaptures;
+    next.isTentative = false;
     next.sentence = summarize(next);
     result = std::move(next);
   }
+  result.given = ofAll;
   return result;
 }
 
@@ -474,7 +514,8 @@ bool refutesScatter(const Diagnosis& exact, const Diagnosis& scattered) {
 /// Diagnoses without scatter, too, where no pose is repeated: prediction decides between the two.
 Diagnosis diagnoseScatter(const Measurements& measurements, const Model& asked, const DiagnosisOptions& options) {
   Diagnosis scattered = diagnoseWithoutSpoiled(measurements, asked, options);
-  if (!assumesScatter(scattered, measurements) || (options.shouldContinue && !options.shouldContinue())) {
+  if (!assumesScatter(scattered, measurements) ||
+      (options.shouldContinue && !options.shouldContinue(scattered.suggested.size()))) {
     return scattered;
   }
   DiagnosisOptions rigid = options;

@@ -17,6 +17,19 @@ Figures::Left buildResidualViews(const DiagnosedModel& diagnosed) {
           estimateBoardShapes(fitted), recordReadings(fitted), readingLevels(fitted.measurements, fitted.fit.noise)};
 }
 
+/// Adds the partial residuals of the suggested effects of the catalogue.
+void addCauses(const DiagnosedModel& last, Diagnosis& diagnosis) {
+  Figures& figures = diagnosis.figures;
+  const ExplainedModel explained{last.fitted, last.candidateTests, figures.last.whatIfs};
+  for (const std::string& label : diagnosis.suggested) {
+    const Term* const term = last.fitted.model.find(label);
+    auto cause = term ? computePartialResidual(explained, *term, figures.recorded) : std::nullopt;
+    if (cause) {
+      figures.causes.push_back(std::move(*cause));
+    }
+  }
+}
+
 std::vector<std::string> labelsOf(const std::vector<CandidateFinding>& ranking) {
   std::vector<std::string> result;
   for (const CandidateFinding& finding : ranking) {
@@ -55,6 +68,17 @@ void assembleFigures(const DiagnosedModel& given, const DiagnosedModel& last, Di
   diagnosis.figures.given = buildResidualViews(given);
   if (!diagnosis.suggested.empty()) {
     diagnosis.figures.last = buildResidualViews(last);
+    addCauses(last, diagnosis);
+  }
+}
+
+void addUnnamedCause(const DiagnosedModel& last, Diagnosis& diagnosis) {
+  Figures& figures = diagnosis.figures;
+  const std::vector<SingleJointCorrection> left =
+      computeJointCorrections(last.fitted.measurements, last.candidateTests);
+  if (auto cause = computePartialResidual({last.fitted, last.candidateTests, left}, diagnosis.driverCurves.front(),
+                                          figures.recorded)) {
+    figures.causes.insert(figures.causes.begin(), std::move(*cause));
   }
 }
 

@@ -14,4 +14,8 @@ struct DiagnosedModel {
 /// and the residuals of both models. `given`: the model as given; `last`: the model with all suggestions.
 void assembleFigures(const DiagnosedModel& given, const DiagnosedModel& last, Diagnosis& diagnosis);
 
+/// Adds the partial residuals of the first of `driverCurves`, before those of named effects; nothing where these are
+/// not a joint's.
+void addUnnamedCause(const DiagnosedModel& last, Diagnosis& diagnosis);
+
 } // namespace naocal

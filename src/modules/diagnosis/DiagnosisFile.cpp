@@ -142,6 +142,7 @@ Json diagnosisJson(const Diagnosis& diagnosis, std::size_t mostPoints) {
                     {"noiseFloorPx", diagnosis.lackOfFit.noiseFloorPx},
                     {"rmsPx", diagnosis.rmsPx}}},
                   {"alarm", diagnosis.alarm},
+                  {"tentative", diagnosis.isTentative},
                   {"poseScatter", diagnosis.scatter},
                   {"suggested", diagnosis.suggested},
                   {"define", diagnosis.own ? Json::array({Json::parse(diagnosis.own->definition)}) : Json::array()},

@@ -83,12 +83,14 @@ struct Diagnosis {
   LackOfFit lackOfFit; // of the model as given
   double rmsPx = 0;
   double alarm = 1;                      // of the model as given
+  bool isTentative = false;              // what is suggested is weak, and unseen poses are predicted no better with it
   bool unexplained = false;              // the alarm persists, but no candidate is likely enough to add
   double scatter = 0;                    // pose noise of the last model [rad]
   std::vector<CandidateFinding> ranking; // all candidates, best first
   std::vector<std::string> suggested;    // labels in order of addition; `own` last
   std::optional<OwnEffect> own;          // user-defined effect beyond the catalogue, on top of the last model
   std::vector<SelectionStep> steps;      // selection steps, starting with the model as given
+  SelectionStep given;                   // the model as given, with the captures that the diagnosis sets aside
   std::vector<DriverCurve> driverCurves; // for the last model, best first
   std::vector<DriverScore> driverScores; // for the last model
   std::string rivalCurve; // a curve at least about as likely as the likeliest effects: "LKneePitch over q"; empty: none
@@ -107,8 +109,8 @@ struct DiagnosisOptions {
   CalibrationOptions calibration;
   std::vector<std::string> with, without; // model to diagnose: the base model with and without these effects
   double alarm = threshold::alarm;        // family-wise false-alarm rate
-  bool extend = true;                     // adds missing effects; false: tests the given model only
-  std::function<bool()> shouldContinue;   // called before each addition; false stops and returns the findings so far
+  /// Called before each addition with the number of effects found so far; false ends the search there.
+  std::function<bool(std::size_t found)> shouldContinue;
 };
 
 } // namespace naocal

@@ -44,7 +44,8 @@ std::string formatFurther(const Diagnosis& diagnosis, const std::vector<std::str
 
 std::string formatMissing(const Diagnosis& diagnosis) {
   const CandidateFinding& first = diagnosis.ranking.front();
-  std::string text = fmt::format("{} is missing ({}).", first.term.label(), formatSizes(first));
+  std::string text = fmt::format("{} {} missing ({}).", first.term.label(), diagnosis.isTentative ? "may be" : "is",
+                                 formatSizes(first));
   if (!first.term.effect.description.empty()) {
     text += fmt::format(" That is: {}.", first.term.effect.description);
   }
@@ -66,7 +67,7 @@ std::string formatMissing(const Diagnosis& diagnosis) {
                         *heldOut < *before.heldOutPx ? "falls" : "does not fall:", unit.perPx * *before.heldOutPx,
                         unit.perPx * *heldOut, unit.perPx * after.noiseFloorPx, fmt::arg("unit", unit.name));
   }
-  return text;
+  return diagnosis.isTentative ? text + " The evidence is weak: take more poses before you add it." : text;
 }
 
 /// Sentence for an alarm whose best candidate is not likely enough to add.
@@ -227,7 +228,10 @@ CandidateState shownState(const CandidateFinding& finding, const Diagnosis& diag
   const auto isPresent = [](const CandidateFinding& one) { return one.state == CandidateState::present; };
   const bool areSeveral =
       diagnosis.steps.size() == 1 && std::count_if(diagnosis.ranking.begin(), diagnosis.ranking.end(), isPresent) > 1;
-  return areSeveral && isPresent(finding) ? CandidateState::aliased : finding.state;
+  return !isPresent(finding)     ? finding.state
+         : diagnosis.isTentative ? CandidateState::inconclusive
+         : areSeveral            ? CandidateState::aliased
+                                 : CandidateState::present;
 }
 
 std::vector<std::string> mendableSetUps(const Diagnosis& diagnosis) {

@@ -217,6 +217,29 @@ void addResidualViewsJson(const Figures& figures, std::size_t mostPoints, Json& 
   }
 }
 
+Json causesJson(const std::vector<PartialResidual>& causes, std::size_t mostPoints) {
+  Json result = Json::array();
+  for (const PartialResidual& cause : causes) {
+    Json points = Json::array();
+    for (const PartialResidual::Point& point : thinOut(cause.points, mostPoints)) {
+      points.push_back({{"pictures", point.pictures},
+                        {"over", roundToDigits(point.over)},
+                        {"own", roundToDigits(point.own)},
+                        {"left", roundToDigits(point.left)},
+                        {"sigma", roundToDigits(point.sigma)}});
+    }
+    result.push_back({{"label", cause.label},
+                      {"error", cause.error},
+                      {"over", cause.over},
+                      {"unit", cause.unit},
+                      {"overUnit", cause.overUnit},
+                      {"before", roundToDigits(cause.before())},
+                      {"after", roundToDigits(cause.after())},
+                      {"points", std::move(points)}});
+  }
+  return result;
+}
+
 } // namespace
 
 void addFiguresJson(const Diagnosis& diagnosis, std::size_t mostPoints, Json& file) {
@@ -226,6 +249,7 @@ void addFiguresJson(const Diagnosis& diagnosis, std::size_t mostPoints, Json& fi
   for (const auto& [camera, size] : diagnosis.figures.taken.cameras) {
     file["cameras"][camera] = {{"width", size[0]}, {"height", size[1]}};
   }
+  file["causes"] = causesJson(diagnosis.figures.causes, mostPoints);
   file["aliases"] = aliasesJson(diagnosis);
   addResidualViewsJson(diagnosis.figures, mostPoints, file);
 }

@@ -412,4 +412,18 @@ std::vector<MountCurve> buildMountCurves(const Measurements& measurements, const
   return result;
 }
 
+std::string describeDriver(const DriverSeries& driver, const Robot& robot) {
+  const std::string& joint = robot.joints[driver.joint].name;
+  switch (driver.kind) {
+  case Driver::approach:
+    return fmt::format("the direction from which {} was approached (−1: from above, 1: from below)", joint);
+  case Driver::temperature:
+    return fmt::format("the temperature of {}", joint);
+  case Driver::velocity:
+    return fmt::format("the speed of {}", joint);
+  default:
+    return driver.what;
+  }
+}
+
 } // namespace naocal

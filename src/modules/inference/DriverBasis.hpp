@@ -76,6 +76,9 @@ struct DriverSeries {
   double mean(const std::vector<std::size_t>& pictures) const;
 };
 
+/// For example "the torque on LHipPitch", "the temperature of LHipPitch"; of a direction also what its signs mean.
+std::string describeDriver(const DriverSeries& driver, const Robot& robot);
+
 /// Columns of the joint x driver map: each joint's deflection as a curve over each driver.
 ///
 /// Smooth cells have degrees 1 to 4 over the driver's range (the constant is the joint's offset), as many as its

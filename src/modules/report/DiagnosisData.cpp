@@ -88,6 +88,7 @@ json diagnosisData(const JsonCursor& diagnosis) {
             {"unit", errors.name},
             {"floorName", noiseFloorName(diagnosis)},
             {"suggested", diagnosis.at("suggested").texts()},
+            {"tentative", isTentative(diagnosis)},
             {"own", own},
             {"aliases", aliasesData(diagnosis)},
             {"curves", curvesData(diagnosis, named)},

@@ -65,6 +65,11 @@ const std::vector<std::string_view>& verdicts() {
   return all;
 }
 
+bool isTentative(const JsonCursor& diagnosis) {
+  const auto tentative = diagnosis.find("tentative"); // absent in files of earlier versions
+  return tentative && tentative->boolean();
+}
+
 std::string verdictHeadline(const JsonCursor& diagnosis) {
   static const std::vector<std::string> headlines{"The model explains these captures.",
                                                   "An effect is missing in the model.",
@@ -72,7 +77,8 @@ std::string verdictHeadline(const JsonCursor& diagnosis) {
                                                   "Joints scatter at random.",
                                                   "Undecided: the model does not fit, but no single cause stands out.",
                                                   "Something is wrong with the captures or the set-up."};
-  return headlines[diagnosis.at("verdict").wordIndex(verdicts())];
+  return isTentative(diagnosis) ? "An effect may be missing in the model."
+                                : headlines[diagnosis.at("verdict").wordIndex(verdicts())];
 }
 
 std::string noiseFloorName(const JsonCursor& diagnosis) {

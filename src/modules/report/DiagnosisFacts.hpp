@@ -13,6 +13,9 @@ namespace naocal {
 /// All verdicts, as diagnosis files name them.
 const std::vector<std::string_view>& verdicts();
 
+/// Whether what is suggested may be chance, so that further poses come first.
+bool isTentative(const JsonCursor& diagnosis);
+
 /// The verdict as a headline.
 std::string verdictHeadline(const JsonCursor& diagnosis);
 

@@ -97,11 +97,49 @@ json shapeData(const JsonCursor& list) {
   return result;
 }
 
+/// Partial residuals of each cause, per point its pictures; displacements in the unit of the errors.
+json causeData(const JsonCursor& cause, const ErrorUnit& errors, const json& data) {
+  const auto shown = [&](const std::string& unit) {
+    return unit == "px" ? std::pair{errors.name, errors.perPx} : displayUnit(unit);
+  };
+  const auto [unit, scale] = shown(cause.at("unit").text());
+  const auto [overUnit, overScale] = shown(cause.at("overUnit").text());
+  json points = json::array();
+  for (const JsonCursor& point : cause.at("points").elements()) {
+    json pictures = json::array();
+    for (const JsonCursor& picture : point.at("pictures").elements()) {
+      pictures.push_back(indexIn(data["pictures"], picture));
+    }
+    if (pictures.empty()) {
+      point.at("pictures").refuse("at least one picture");
+    }
+    points.push_back({{"pictures", std::move(pictures)}, {"over", overScale * point.at("over").number(anyNumber)}});
+    for (const char* number : {"own", "left", "sigma"}) {
+      points.back()[number] = scale * point.at(number).number(anyNumber);
+    }
+  }
+  return {{"label", cause.at("label").text()},
+          {"error", label(cause.at("error"))},
+          {"over", label(cause.at("over"))},
+          {"unit", unit},
+          {"overUnit", overUnit},
+          {"before", scale * cause.at("before").number(anyNumber)},
+          {"after", scale * cause.at("after").number(anyNumber)},
+          {"points", std::move(points)}};
+}
+
 } // namespace
 
 void addResidualViewsData(const JsonCursor& diagnosis, json& data) {
   data["drivers"] = json::array();
   data["left"] = json::object();
+  data["causes"] = json::array();
+  if (const auto causes = diagnosis.find("causes")) { // absent in files of earlier versions
+    const ErrorUnit errors = shownErrorUnit(diagnosis);
+    for (const JsonCursor& cause : causes->elements()) {
+      data["causes"].push_back(causeData(cause, errors, data));
+    }
+  }
   if (const auto recorded = diagnosis.find("recorded")) {
     for (const JsonCursor& driver : recorded->elements()) {
       data["drivers"].push_back(driverData(driver, data["pictures"].size()));

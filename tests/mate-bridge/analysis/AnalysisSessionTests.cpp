@@ -65,13 +65,13 @@ TEST_CASE("adding what is missing lets the error on unseen poses fall to the noi
   Bench bench;
   REQUIRE_FALSE(bench.set.flaw.empty());
   bench.session.fit();
-  bench.session.testCandidates();
+  bench.session.search();
   const Json before = bench.told["ladder"]["rungs"][0];
-  CHECK(bench.told["questions"]["candidates"][0]["label"] == bench.set.flaw);
+  CHECK(bench.told["diagnosis"]["candidates"][0]["label"] == bench.set.flaw);
 
   bench.session.add(bench.set.flaw);
   CHECK(bench.told["fit"]["with"] == Json::array({bench.set.flaw}));
-  bench.session.testCandidates();
+  bench.session.search();
   const Json after = bench.told["ladder"]["rungs"][1];
   CHECK(after["heldOut"] < 0.7 * before["heldOut"].get<double>());
   CHECK(after["heldOut"] < 1.3 * after["floor"].get<double>());
@@ -128,10 +128,10 @@ TEST_CASE("an own effect that is changed can be taken back, and one for every jo
 
   effect["name"] = "anywhere";
   effect["at"] = "*";
-  bench.session.testCandidates();
+  bench.session.search();
   bench.session.defineEffect(effect);
-  bench.session.testCandidates();
-  const Json& candidates = bench.told["questions"]["candidates"];
+  bench.session.search();
+  const Json& candidates = bench.told["diagnosis"]["candidates"];
   CHECK(std::any_of(candidates.begin(), candidates.end(),
                     [](const Json& one) { return one["label"].get<std::string>().starts_with("anywhere@"); }));
 }
@@ -197,8 +197,8 @@ TEST_CASE("a suspected set-up is mended like an effect is added, and taken back"
   AnalysisSession session{opened, [&](const std::string& kind, const Json& content) { told[kind] = content; }};
   session.fit();
   const double before = told["fit"]["rms"];
-  session.testCandidates();
-  CHECK(told["questions"]["candidates"][0]["label"] == mirrored);
+  session.search();
+  CHECK(told["diagnosis"]["candidates"][0]["label"] == mirrored);
   session.add(mirrored);
   const double after = told["fit"]["rms"];
   CHECK(after < 0.5 * before);
@@ -251,17 +251,18 @@ TEST_CASE("another model that is tried from an earlier one leaves those between 
   CHECK_THROWS_AS(bench.session.add("jointOffset@HeadYaw"), InputError); // part of the base model
 }
 
-TEST_CASE("a search that is cancelled says what it has found so far", "[slow]") {
-  // Proves that a cancelled search suggests nothing, reports that it was stopped and leaves the model unchanged, and
-  // that a complete one finds the effect.
+TEST_CASE("a search that is cancelled says nothing, and the next one finds what is missing", "[slow]") {
+  // Proves that nothing is told of a search that did not end, and that a complete one names the effect, shows it first,
+  // and leaves the model as it was.
   Bench bench;
   bench.session.fit();
-  bench.session.searchMissing([] { return false; });
-  CHECK(bench.told["found"]["stopped"] == true);
-  CHECK(bench.told["found"]["suggested"].empty());
-  bench.session.searchMissing([] { return true; });
-  CHECK(bench.told["found"]["stopped"] == false);
-  CHECK(bench.told["found"]["suggested"] == Json::array({bench.set.flaw}));
+  CHECK_THROWS_AS(bench.session.search([](std::size_t found) { return found == 0; }), SearchEnded);
+  CHECK(bench.told.count("diagnosis") == 0);
+  bench.session.search();
+  const Json& diagnosis = bench.told["diagnosis"];
+  CHECK(diagnosis["suggested"] == Json::array({bench.set.flaw}));
+  REQUIRE_FALSE(diagnosis["causes"].empty());
+  CHECK(diagnosis["causes"][0]["label"] == bench.set.flaw);
   CHECK(bench.told["ladder"]["rungs"].size() == 1);
 }
 
@@ -281,7 +282,7 @@ TEST_CASE("what the panel saves is what the terminal reads", "[slow]") {
   CHECK(std::count(again.terms.begin(), again.terms.end(), "softness@LKneePitch") == 1);
   CHECK(Json::parse(bench.session.generateFile("model.json"))["define"][0]["name"] == "softness");
   bench.session.goTo(0);
-  bench.session.testCandidates();
+  bench.session.search();
   writeAtomically(folder / "diagnosis.json", bench.session.generateFile("diagnosis.json"));
   CHECK(openDataset({(folder / "diagnosis.json").string()}).sets.size() == 1);
   for (const char* const name : {"report.html", "diagnosis.html"}) {

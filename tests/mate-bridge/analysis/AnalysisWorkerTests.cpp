@@ -84,18 +84,34 @@ TEST_CASE("who comes later is told what is true of the present fit, in the order
   };
   thread.slot.open({(folder.path() / "few").string()}, refused);
   CHECK(thread.slot.worker() == nullptr);
-  REQUIRE(thread.until("questions"));
-  CHECK(thread.kept() == std::vector<std::string>{"set", "fit", "ladder", "questions"});
+  REQUIRE(thread.until("diagnosis"));
+  CHECK(thread.kept() == std::vector<std::string>{"set", "fit", "ladder", "diagnosis"});
   thread.slot.worker()->drop("jointOffset@HeadYaw");
   REQUIRE(thread.until("fit"));
   CHECK(thread.kept() == std::vector<std::string>{"set", "ladder", "fit"});
-  REQUIRE(thread.until("questions"));
+  REQUIRE(thread.until("diagnosis"));
 
   const AnalysisWorker* const worker = thread.slot.worker();
   thread.slot.open({(folder.path() / "none").string()}, refused);
   REQUIRE(thread.until("refused"));
   CHECK_FALSE(problem.empty());
   CHECK(thread.slot.worker() == worker);
+}
+
+TEST_CASE("a change ends the search of the model before, and a refused one lets it begin again", "[slow]") {
+  // Proves that the diagnosis is of the last model, whose fit came before it, and that it comes after a refusal, too.
+  const TemporaryFolder folder;
+  writeCaptures(folder.path() / "few");
+  Thread thread;
+  thread.slot.open({(folder.path() / "few").string()}, [](const std::string&) {});
+  REQUIRE(thread.until("fit"));
+  thread.slot.worker()->drop("jointOffset@HeadYaw"); // while the first model is searched
+  REQUIRE(thread.until("fit"));
+  CHECK(std::count(thread.told.begin(), thread.told.end(), "diagnosis") == 0);
+  thread.slot.worker()->add("elasticity@LKneePitsch");
+  REQUIRE(thread.until("refused"));
+  REQUIRE(thread.until("diagnosis"));
+  CHECK(std::count(thread.told.begin(), thread.told.end(), "fit") == 0);
 }
 
 TEST_CASE("why there is no fit at all is told to whoever comes later, until there is one") {

@@ -107,7 +107,7 @@ TEST_CASE("a session is kept as it goes, and gone on from", "[slow]") {
     AnalysisSession session{openSession({set}, file), tell};
     session.fit();
     session.add("elasticity@LKneePitch");
-    session.testCandidates();
+    session.search();
     session.add("focalLength@top");
     session.goTo(1);
   }

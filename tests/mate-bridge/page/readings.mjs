@@ -22,7 +22,7 @@ const words = () => page.evaluate(() => document.body.innerText);
 await happens(page.getByRole("img", {name: "errors of positions of laser"}).waitFor(), "the errors of the tracker's positions are drawn");
 check(await page.getByRole("img", {name: "errors in space: positions of laser"}).count() === 1, "and where they lie");
 check(await page.getByRole("img", {name: /^errors against noise/}).count() === 2, "and how they compare with the noise");
-check(await page.getByRole("img", {name: /corners/}).count() === 0 && await page.getByRole("heading", {name: "Captures"}).count() === 0, "there is no picture to show");
+check(await page.getByRole("img", {name: /corners/}).count() === 0 && await page.getByRole("heading", {name: "Captures", exact: true}).count() === 0, "there is no picture to show");
 await page.locator("#errorY").selectOption({label: "along x [mm]"});
 await page.locator("#overX").selectOption({label: "the angle of elbow_joint [°]"});
 await happens(page.getByRole("img", {name: "error along x [mm] over the angle of elbow_joint [°]"}).waitFor(), "errors are drawn over any joint's angle");
@@ -62,7 +62,7 @@ writeFileSync(scene, JSON.stringify({format: "naocal-scene", version: 1, tracker
 run(naocal, "simulate", mirrored, "--robot", join(tracked, "robot.urdf"), "--scene", scene, "--flaw", "reversedJoint@elbow_joint", "--poses", "24", "--samples", "1");
 const wrong = await opened(mirrored);
 await tab(wrong.page, "Learn").click();
-const mend = wrong.page.getByRole("button", {name: "mend reversedJoint@elbow_joint"});
+const mend = wrong.page.getByRole("button", {name: "mend reversedJoint@elbow_joint", exact: true});
 await happens(mend.waitFor(), "a joint that turns the other way is offered to be mended");
 await portrait(wrong.page, axe, pictures, "mirrored");
 await mend.click();

@@ -185,32 +185,25 @@ DiagnosisOptions AnalysisSession::options(const ModelRevision& rung) const {
   return result;
 }
 
-const Diagnosis& AnalysisSession::diagnosis() {
+void AnalysisSession::search(const GoesOn& goesOn) {
   if (!diagnosis_) {
     DiagnosisOptions asked = options(session_.current());
-    asked.extend = false;
+    asked.shouldContinue = [&](std::size_t found) { return goesOn(found) ? true : throw SearchEnded{}; };
     diagnosis_ = diagnose(*mended_.measurements, asked);
   }
-  return *diagnosis_;
-}
-
-void AnalysisSession::testCandidates() {
-  const Diagnosis& here = diagnosis();
-  if (!here.steps.empty()) {
-    session_.current().questioned = here.steps.front();
+  if (!diagnosis_->steps.empty()) {
+    session_.current().questioned = diagnosis_->given;
     tellLadder();
   }
-  tell_("questions", diagnosisPanelJson(here));
+  tell_("diagnosis", diagnosisPanelJson(*diagnosis_));
   keepSession();
 }
 
-void AnalysisSession::searchMissing(const std::function<bool()>& goesOn) {
-  DiagnosisOptions asked = options(session_.current());
-  asked.shouldContinue = goesOn;
-  Json found = diagnosisPanelJson(diagnose(*mended_.measurements, asked));
-  found["stopped"] = !goesOn();
-  found["with"] = session_.current().with; // the model that the search started from
-  tell_("found", found);
+const Diagnosis& AnalysisSession::diagnosis(const GoesOn& goesOn) {
+  if (!diagnosis_) {
+    search(goesOn);
+  }
+  return *diagnosis_;
 }
 
 void AnalysisSession::defineEffect(const Json& effect) {
@@ -254,10 +247,10 @@ Json AnalysisSession::checkEffect(const Json& effect) const {
   }
 }
 
-void AnalysisSession::proposePoses(std::size_t count) {
+void AnalysisSession::proposePoses(std::size_t count, const GoesOn& goesOn) {
   NextPosesOptions wanted;
   wanted.count = count;
-  next_ = proposeSceneNextPoses(*mended_.measurements, diagnosis(), options(session_.current()), wanted);
+  next_ = proposeSceneNextPoses(*mended_.measurements, diagnosis(goesOn), options(session_.current()), wanted);
   Json told = nextPosesJson(*next_, opened_.robot);
   for (std::size_t i = 0; i < next_->poses.size(); ++i) {
     told["poses"][i]["angles"] = anglesPanelJson(next_->poses[i].pose.angles, opened_.robot);
@@ -280,7 +273,7 @@ void AnalysisSession::compareWith(const Dataset& others) {
   tell_("compared", told);
 }
 
-std::string AnalysisSession::generateFile(const std::string& name) {
+std::string AnalysisSession::generateFile(const std::string& name, const GoesOn& goesOn) {
   if (name == "result.json") {
     return result_.dump(2) + "\n";
   }
@@ -303,7 +296,7 @@ std::string AnalysisSession::generateFile(const std::string& name) {
   if (name != "diagnosis.json" && name != "diagnosis.html") {
     throw InputError{fmt::format("there is no file {} to be made", name)};
   }
-  Json document = diagnosisJson(diagnosis());
+  Json document = diagnosisJson(diagnosis(goesOn));
   if (next_) {
     document["next"] = nextPosesJson(*next_, opened_.robot);
   }

@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::string_view fitting = "fitting";
+constexpr std::string_view fitting = "fitting", searching = "searching for what is missing";
 
 /// The sets' image files by "SET/CAPTURE"; only files inside the sets' folders, whatever captures.json names.
 std::map<std::string, std::filesystem::path> imagesOf(const Dataset& opened) {
@@ -44,40 +44,58 @@ AnalysisWorker::AnalysisWorker(Dataset opened, MessageSink tell)
                                                                tell_(kind, jsonText(message));
                                                              })} {
   work(fitting, [](AnalysisSession& session) { session.fit(); });
-  testCandidates();
+  search();
 }
 
 AnalysisWorker::~AnalysisWorker() {
-  cancelled_ = true; // speeds up the end of the thread
+  ++changes_; // speeds up the end of the thread
+}
+
+void AnalysisWorker::tellWork(std::string_view what) {
+  tell_("work", jsonText({{"kind", "work"}, {"what", what.empty() ? Json(nullptr) : Json(what)}}));
 }
 
 void AnalysisWorker::work(std::string_view what, std::function<void(AnalysisSession&)> task) {
   thread_.enqueue([this, what, task = std::move(task)] {
-    tell_("work", jsonText({{"kind", "work"}, {"what", what}}));
+    tellWork(what);
     try {
       task(*session_);
+    } catch (const SearchEnded&) {          // the model has changed
     } catch (const std::exception& error) { // any failure, such as a full disk, must not end the bridge
       tell_("refused", jsonText({{"kind", "refused"}, {"sentence", error.what()}}));
       if (!isFitted_ && what == fitting) {
         tell_("unfitted", jsonText({{"kind", "unfitted"}, {"sentence", error.what()}}));
       }
+      if (what == searching) {
+        tell_("unsearched", jsonText({{"kind", "unsearched"}, {"sentence", error.what()}}));
+      }
     }
-    tell_("work", jsonText({{"kind", "work"}, {"what", nullptr}}));
+    tellWork("");
   });
 }
 
-void AnalysisWorker::testCandidates() {
-  ++questions_;
-  work("testing causes", [this](AnalysisSession& session) {
-    if (--questions_ == 0 && isFitted_) { // otherwise the model has changed since: only the last test runs
-      session.testCandidates();
+std::function<bool(std::size_t)> AnalysisWorker::whileUnchanged() {
+  return [this, model = changes_.load(), most = std::size_t{0}](std::size_t found) mutable {
+    if (found > most) {
+      most = found;
+      tellWork(fmt::format("{}, {} {} found so far", searching, found, found == 1 ? "effect" : "effects"));
+    }
+    return changes_ == model;
+  };
+}
+
+void AnalysisWorker::search() {
+  work(searching, [this, goesOn = whileUnchanged()](AnalysisSession& session) {
+    if (isFitted_ && goesOn(0)) {
+      session.search(goesOn);
     }
   });
 }
 
 void AnalysisWorker::change(std::function<void(AnalysisSession&)> change) {
+  ++changes_; // ends the search of the model before
   work(fitting, std::move(change));
-  testCandidates();
+  search();
 }
 
 void AnalysisWorker::add(const std::string& label) {
@@ -96,18 +114,10 @@ void AnalysisWorker::defineEffect(const Json& effect) {
   change([effect](AnalysisSession& session) { session.defineEffect(effect); });
 }
 
-void AnalysisWorker::searchMissing() {
-  cancelled_ = false;
-  work("searching", [this](AnalysisSession& session) { session.searchMissing([this] { return !cancelled_; }); });
-}
-
-void AnalysisWorker::cancelSearch() {
-  cancelled_ = true;
-}
-
 void AnalysisWorker::proposePoses(int count) {
   const std::size_t bounded = std::clamp(count, 1, 20);
-  work("choosing poses", [bounded](AnalysisSession& session) { session.proposePoses(bounded); });
+  work("choosing poses",
+       [bounded, goesOn = whileUnchanged()](AnalysisSession& session) { session.proposePoses(bounded, goesOn); });
 }
 
 void AnalysisWorker::compareWith(const std::vector<std::string>& paths) {
@@ -115,8 +125,8 @@ void AnalysisWorker::compareWith(const std::vector<std::string>& paths) {
 }
 
 void AnalysisWorker::generateFile(const std::string& name) {
-  work("writing", [this, name](AnalysisSession& session) {
-    std::string content = session.generateFile(name);
+  work("writing", [this, name, goesOn = whileUnchanged()](AnalysisSession& session) {
+    std::string content = session.generateFile(name, goesOn);
     {
       const std::lock_guard lock{mutex_};
       made_[name] = std::move(content);
@@ -204,7 +214,7 @@ void AnalysisSlot::open(const std::vector<std::string>& paths, std::function<voi
 
 /// Keeps a message for new panels; a new fit discards messages about the previous one.
 void AnalysisSlot::remember(const std::string& kind, const Message& told) {
-  constexpr std::array<std::string_view, 4> ofFit{"questions", "next", "compared", "unfitted"};
+  constexpr std::array<std::string_view, 5> ofFit{"diagnosis", "unsearched", "next", "compared", "unfitted"};
   if (kind == "refused" || kind == "made") {
     return;
   }

@@ -19,12 +19,13 @@ namespace naocal {
 
 class AnalysisSession;
 
-/// Runs an AnalysisSession on its own thread: queues the panel's requests and reports progress. Tests all candidates
-/// after every model change, unless another change is queued.
+/// Runs an AnalysisSession on its own thread: queues the panel's requests and reports progress. After every change of
+/// the model it searches for what that lacks; the next change ends the search.
 class AnalysisWorker {
 public:
   /// Receives messages for all panels: kind and JSON. Called on the worker's thread. In addition to the session's
-  /// kinds: "work" (current activity), "refused", "unfitted" (reason of a failed initial fit), "made".
+  /// kinds: "work" (current activity), "refused", "unfitted" (reason of a failed initial fit), "unsearched" (of a
+  /// failed search), "made".
   using MessageSink = std::function<void(const std::string& kind, std::string json)>;
 
   /// Queues the initial fit. Throws InputError for captures that do not match the robot.
@@ -37,8 +38,6 @@ public:
   void goTo(std::size_t number);
   void defineEffect(const nlohmann::json& effect);
   /// These do not change it:
-  void searchMissing();
-  void cancelSearch();
   void proposePoses(int count);
   void compareWith(const std::vector<std::string>& paths);
   void generateFile(const std::string& name);
@@ -53,16 +52,19 @@ public:
   std::optional<std::string> picture(std::string_view path) const;
 
 private:
+  /// Reports the current activity; "": none.
+  void tellWork(std::string_view what);
   void work(std::string_view what, std::function<void(AnalysisSession&)> task);
   void change(std::function<void(AnalysisSession&)> change);
-  void testCandidates();
+  void search();
+  /// For a search of the model as it is after the queued changes: tells how far it is; false once the model changes.
+  std::function<bool(std::size_t found)> whileUnchanged();
 
   MessageSink tell_;
   std::atomic<bool> isFitted_ = false;
   std::map<std::string, std::filesystem::path> images_; // file by "SET/CAPTURE"
   std::shared_ptr<AnalysisSession> session_;            // used by the worker's thread
-  std::atomic<bool> cancelled_ = false;
-  std::atomic<int> questions_ = 0; // queued candidate tests
+  std::atomic<std::size_t> changes_ = 0;                // of the model, those in the queue included
   mutable std::mutex mutex_;
   std::map<std::string, std::string> made_;   // generated files by name
   Worker thread_{Worker::AtEnd::presentTask}; // last: uses the members above

@@ -3,7 +3,6 @@
 #include "calibration/EffectiveOffsets.hpp"
 #include "calibration/result/Verdict.hpp"
 #include "diagnosis/DiagnosisFile.hpp"
-#include "diagnosis/views/TellingPairs.hpp"
 #include "effects/Catalogue.hpp"
 #include "inference/DriverBasis.hpp"
 #include "io/Units.hpp"
@@ -38,45 +37,6 @@ Json driversJson(const std::vector<DriverSeries>& drivers, const Robot& robot) {
                     {"values", std::move(values)}});
   }
   return list;
-}
-
-/// Suggested plots, and joint errors for plotting in place of corner errors: a joint's points are [pictures, error,
-/// sigma] in the joint's unit.
-Json tellingJson(const TellingPairs& telling, const std::vector<DriverSeries>& drivers, const Robot& robot) {
-  constexpr std::size_t mostPairs = 6;
-  const auto errorOf = [&](const TellingPair& pair) -> std::string {
-    return pair.error == TellingPair::Error::right  ? "du"
-           : pair.error == TellingPair::Error::down ? "dv"
-                                                    : robot.joints[pair.motor].name;
-  };
-  const auto overOf = [](const TellingPair& pair) -> std::string {
-    return pair.over == TellingPair::Over::column ? "u"
-           : pair.over == TellingPair::Over::row  ? "v"
-                                                  : "driver" + std::to_string(pair.driver);
-  };
-  Json pairs = Json::array(), joints = Json::array();
-  for (const TellingPair& pair : telling.pairs) {
-    if (pairs.size() < mostPairs) {
-      pairs.push_back({{"error", errorOf(pair)},
-                       {"over", overOf(pair)},
-                       {"label", formatTellingLabel(pair, drivers, robot)},
-                       {"sentence", formatTellingSentence(pair, drivers, robot)},
-                       {"share", roundToDecimals(pair.share, 4)},
-                       {"chance", pair.chance}});
-    }
-  }
-  for (const SingleJointCorrection& joint : telling.joints) {
-    const auto [unit, scale] = displayUnit(robot.joints[joint.motor].isPrismatic ? "m" : "rad");
-    Json points = Json::array();
-    for (const JointCorrection& point : joint.points) {
-      points.push_back(
-          {point.pictures, roundToDecimals(scale * point.deflection, 4), roundToDecimals(scale * point.sigma, 4)});
-    }
-    joints.push_back({{"joint", robot.joints[joint.motor].name}, {"unit", unit}, {"points", std::move(points)}});
-  }
-  return {{"sentence", formatTellingSentence(telling, drivers, robot)},
-          {"pairs", std::move(pairs)},
-          {"joints", std::move(joints)}};
 }
 
 /// Index of each capture in the drivers' values, by set and id.
@@ -139,7 +99,6 @@ Json fitJson(const Json& document, const Dataset& opened, const FittedModel& fit
   const JsonCursor place{document, "the fit"};
   const VerdictWords words = verdictWords(place);
   const std::vector<DriverSeries> drivers = collectDrivers(fitted.measurements, fitted.model, fitted.fit.unknowns);
-  const TellingPairs telling = findTellingPairs(fitted, drivers);
   const CaptureIndices indices = indicesOf(opened, fitted.measurements);
   const ErrorUnit errors = errorUnitOf(fitted.measurements, fitted.fit.noise);
   Json fit{{"usable", fitted.fit.usable},
@@ -160,8 +119,7 @@ Json fitJson(const Json& document, const Dataset& opened, const FittedModel& fit
            {"pictures", picturesJson(indices, place)},
            {"readings", readingsOfResult(place)},
            {"captures", readCapturesJson(indices, document)},
-           {"drivers", driversJson(drivers, fitted.measurements.robot)},
-           {"telling", tellingJson(telling, drivers, fitted.measurements.robot)}};
+           {"drivers", driversJson(drivers, fitted.measurements.robot)}};
   for (const auto& [figure, sentence] : facts(place, fit["pictures"].size(), std::nullopt)) {
     fit["facts"].push_back({{"figure", figure}, {"sentence", sentence}});
   }

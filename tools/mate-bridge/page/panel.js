@@ -29,12 +29,12 @@ import {endImport, refreshImport} from "./start/import.js";
 import {refreshTour, startTour} from "./start/tour.js";
 
 
-// `kinds`: messages after which a view is redrawn; `worked`: called when the bridge starts or ends a task.
+// `kinds`: messages after which a view is redrawn; `awaits`: it shows nothing without the diagnosis; `worked`: called when the bridge starts or ends a task.
 const views = [
   {id: "home", name: "Home", show: showHome, worked: showHome, kinds: ["start", "robot", "robotGone"]},
-  {id: "compare", name: "Compare", show: showCompare, kinds: ["fit"], analysis: true},
-  {id: "learn", name: "Learn", show: showLearn, kinds: ["fit", "questions"], analysis: true},
-  {id: "map", name: "Map", show: parent => showMap(parent, go), kinds: ["fit", "questions"], analysis: true},
+  {id: "compare", name: "Compare", show: showCompare, kinds: ["fit", "diagnosis", "unsearched"], analysis: true},
+  {id: "learn", name: "Learn", show: showLearn, kinds: ["fit", "diagnosis", "unsearched"], awaits: true, analysis: true},
+  {id: "map", name: "Map", show: parent => showMap(parent, go), kinds: ["fit", "diagnosis", "unsearched"], awaits: true, analysis: true},
   {id: "own", name: "Custom effect", show: showUserEffect, kinds: ["set"], analysis: true},
   {id: "result", name: "Result", show: showResult, kinds: ["fit", "keys", "robot"], analysis: true},
   {id: "next", name: "Next poses", show: showNext, kinds: ["fit", "next", "work", "keys", "robot"], analysis: true},
@@ -121,15 +121,15 @@ function drawView() {
 const nextSteps = (...buttons) => element("span", {class: "controls next-steps"}, ...buttons);
 
 // Whether the view needs results for this model that the bridge is still computing.
-const awaitsAnswers = () => Boolean(current && current.analysis && complete && current.kinds.includes("questions") && !state.questions && !state.unfitted);
+const awaitsAnswers = () => Boolean(current && current.analysis && complete && current.awaits && !state.diagnosis && !state.unfitted);
 
 // Shows the previous model's results, dimmed and inert, until those for this model arrive.
 function showEarlier(view) {
-  state.questions = state.earlier;
+  state.diagnosis = state.earlier;
   try {
     current.show(view);
   } finally {
-    state.questions = null;
+    state.diagnosis = null;
   }
   for (const part of view.children) part.inert = true;
   view.classList.add("earlier");
@@ -147,14 +147,14 @@ function sayWaiting(note) {
   }, 2000);
 }
 
-// Messages about the open captures; "questions" refer to the preceding "fit".
-const analysisKinds = ["set", "ladder", "fit", "unfitted", "questions", "found", "next", "compared"];
+// Messages about the open captures; "diagnosis" refers to the preceding "fit".
+const analysisKinds = ["set", "ladder", "fit", "unfitted", "diagnosis", "unsearched", "next", "compared"];
 const forget = kinds => kinds.forEach(kind => { state[kind] = null; });
 for (const kind of analysisKinds) {
   on(kind, message => {
-    if (kind === "fit") state.earlier = state.questions || state.earlier;
+    if (kind === "fit") state.earlier = state.diagnosis || state.earlier;
     state[kind] = message;
-    if (kind === "fit") forget(["unfitted", "questions", "next", "compared"]); // these refer to the previous fit
+    if (kind === "fit") forget(["unfitted", "diagnosis", "unsearched", "next", "compared"]); // these refer to the previous fit
     redraw(kind);
   });
 }

@@ -101,7 +101,7 @@ Diagnosis withProgress(const Measurements& measurements, DiagnosisOptions option
   const Progress progress{"models tested (at most)"};
   const std::size_t most = 2 + measurements.poses.size() / 4;
   std::size_t done = 0;
-  options.shouldContinue = [&] { return progress(std::min(++done, most - 1), most); };
+  options.shouldContinue = [&](std::size_t) { return progress(std::min(++done, most - 1), most); };
   Diagnosis diagnosis = diagnose(measurements, options);
   progress(most, most);
   return diagnosis;

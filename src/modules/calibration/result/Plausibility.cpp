@@ -75,21 +75,6 @@ double impossibleDistance(const Measurements& measurements) {
   return most;
 }
 
-void addImpossibleError(const FittedModel& fitted, std::vector<std::string>& sentences) {
-  const RejectedMeasurements& rejected = fitted.fit.rejected;
-  const bool areFew = rejected.share() < threshold::manyRejected;
-  const double distance = areFew ? rejected.keptPx : rejected.presentPx;
-  const ReadingErrors& readings = areFew ? rejected.keptReadings : fitted.fit.readings;
-  const bool isFar = fitted.measurements.cornerCount > 0 && distance > impossibleDistance(fitted.measurements);
-  if (isFar || areImpossible(readings, fitted.measurements, fitted.fit.noise)) {
-    sentences.push_back(fmt::format(
-        "the predictions are {} off, and no robot is so wrong{}: check the robot's model, on which links the "
-        "cameras, boards and markers are, and the measurements",
-        isFar ? fmt::format("{:.0f} px", distance) : formatSizes(readings),
-        areFew ? "" : "; " + formatRejected(rejected)));
-  }
-}
-
 void addGrossNoise(const FittedModel& fitted, std::vector<std::string>& sentences) {
   for (std::size_t i = 0; i < fitted.measurements.levels.size(); ++i) {
     const ReadingLevel& level = fitted.measurements.levels[i];
@@ -147,9 +132,27 @@ std::optional<std::string> describeImplausible(const Term& term, std::span<const
                                                           : std::nullopt;
 }
 
+std::optional<std::string> describeImpossibleError(const FittedModel& fitted) {
+  const RejectedMeasurements& rejected = fitted.fit.rejected;
+  const bool areFew = rejected.share() < threshold::manyRejected;
+  const double distance = areFew ? rejected.keptPx : rejected.presentPx;
+  const ReadingErrors& readings = areFew ? rejected.keptReadings : fitted.fit.readings;
+  const bool isFar = fitted.measurements.cornerCount > 0 && distance > impossibleDistance(fitted.measurements);
+  if (!isFar && !areImpossible(readings, fitted.measurements, fitted.fit.noise)) {
+    return std::nullopt;
+  }
+  return fmt::format(
+      "the predictions are {} off, and no robot is so wrong{}: check the robot's model, on which links the "
+      "cameras, boards and markers are, and the measurements",
+      isFar ? fmt::format("{:.0f} px", distance) : formatSizes(readings),
+      areFew ? "" : "; " + formatRejected(rejected));
+}
+
 std::vector<std::string> listImpossible(const FittedModel& fitted) {
   std::vector<std::string> sentences;
-  addImpossibleError(fitted, sentences);
+  if (auto error = describeImpossibleError(fitted)) {
+    sentences.push_back(*std::move(error));
+  }
   addGrossNoise(fitted, sentences);
   addImplausibleValues(fitted, sentences);
   return sentences;

@@ -15,10 +15,14 @@ namespace naocal {
 /// sigmas.
 std::optional<std::string> describeImplausible(const Term& term, std::span<const double> values);
 
+/// That the rms errors of a fit are beyond what any robot has: `threshold::impossiblePx`, as an angle through longer
+/// lenses, or `impossibleMetres` and `impossibleRadians` (and `impossibleNoises` times a noise that is given). Displaced
+/// boards do not count, and other rejected measurements only from a share of `threshold::manyRejected` on. Absent if
+/// they are not.
+std::optional<std::string> describeImpossibleError(const FittedModel& fitted);
+
 /// Errors, noise and values of a fit that are beyond what any robot has, one sentence each:
-///   - rms errors beyond `threshold::impossiblePx`, as an angle through longer lenses, or `impossibleMetres` and
-///     `impossibleRadians` (and `impossibleNoises` times a noise that is given). Displaced boards do not count, and
-///     other rejected measurements only from a share of `threshold::manyRejected` on;
+///   - errors as of `describeImpossibleError`;
 ///   - estimated noise of readings beyond `threshold::grossMetres` or `grossRadians`, which hides any misfit;
 ///   - implausible values, as fitted or averaged.
 std::vector<std::string> listImpossible(const FittedModel& fitted);

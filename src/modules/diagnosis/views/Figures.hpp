@@ -3,6 +3,7 @@
 #include "calibration/ReadingRecords.hpp"
 #include "diagnosis/evidence/Aliasing.hpp"
 #include "diagnosis/views/BoardShape.hpp"
+#include "diagnosis/views/PartialResidual.hpp"
 #include "diagnosis/views/ResidualField.hpp"
 #include "diagnosis/views/SingleJointCorrection.hpp"
 #include "inference/DriverBasis.hpp"
@@ -46,10 +47,11 @@ struct Figures {
     std::vector<ReadingRecord> readings;
     std::vector<ReadingLevel> readingLevels; // their noise
   };
-  CaptureIndex taken;                 // poses and pictures as indexed by the figures
-  AliasMatrix aliases;                // first candidates of the ranking, in the model as given
-  std::vector<DriverSeries> recorded; // drivers that joint deflections may depend on
-  Left given, last;                   // model as given; model with all suggestions (empty if there are none)
+  CaptureIndex taken;                  // poses and pictures as indexed by the figures
+  AliasMatrix aliases;                 // first candidates of the ranking, in the model as given
+  std::vector<DriverSeries> recorded;  // drivers that joint deflections may depend on
+  Left given, last;                    // model as given; model with all suggestions (empty if there are none)
+  std::vector<PartialResidual> causes; // of each suggestion, or of the unnamed curve, where there is one
 };
 
 /// Upper limit of points per figure in a diagnosis file: the resolution of a plot about 500 pixels wide.

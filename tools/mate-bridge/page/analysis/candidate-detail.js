@@ -4,7 +4,7 @@ import {capitalized, chance, detectableWords, percent, short, sizeWords, stateNa
 import {views} from "naocal/views/views.js";
 import {act, state} from "../core/state.js";
 
-export function candidateDetail(candidate, questions) {
+export function candidateDetail(candidate, diagnosis) {
   const [name, place] = candidate.label.split("@"), effect = state.set.effects.find(one => one.name === name);
   /** @type {Node[]} */
   const parts = [element("h2", {}, candidate.label), element("p", {}, effect ? sentenceOf(effect.what) : "", element("span", {class: "soft"},
@@ -26,7 +26,7 @@ export function candidateDetail(candidate, questions) {
   parts.push(element("dl", {class: "facts"}, ...facts.flatMap(([term, words]) => [element("dt", {}, term), element("dd", {}, words)])));
   if (isTested) parts.push(element("p", {}, button("Add " + candidate.label, () => act({do: "add", label: candidate.label}), {class: "main"})));
   for (const {title, ofCandidate} of views) {
-    const shown = ofCandidate?.(candidate, questions, {});
+    const shown = ofCandidate?.(candidate, diagnosis, {});
     if (shown) parts.push(element("h3", {}, title), ...shown.filter(part => part !== null));
   }
   return parts;

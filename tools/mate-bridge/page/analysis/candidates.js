@@ -1,37 +1,32 @@
 // Learn view: all candidates with their evidence.
 import {button, csv, download, element, empty} from "naocal/lib/dom.js";
-import {capitalized, short, sizeWords, waitingWords} from "naocal/lib/format.js";
+import {short, sizeWords, waitingWords} from "naocal/lib/format.js";
 import {brokenLabel, candidateTable, columns, ofState, stateButtons, stateChip} from "naocal/plots/candidate-table.js";
 import {views} from "naocal/views/views.js";
 import {candidateDetail} from "./candidate-detail.js";
+import {finding} from "./finding.js";
 import {act, state} from "../core/state.js";
 
 const shown = {state: "", all: false, label: ""};
 const shownFirst = 15;
 
 export function showLearn(parent) {
-  const {questions} = state;
-  if (!questions) {
+  const {diagnosis} = state;
+  if (!diagnosis) {
     parent.replaceChildren(element("h1", {}, "What is missing?"), empty(waitingWords(state.fit),
       "How much of the misfit would each effect at each place explain?"));
     return;
   }
   const again = () => showLearn(parent);
-  const {candidates} = questions, chosen = ofState(candidates, shown.state);
+  const {candidates} = diagnosis, chosen = ofState(candidates, shown.state);
   const looked = candidates.find(({label}) => label === shown.label) || candidates[0];
   parent.replaceChildren(
-    verdict(questions),
+    finding("h1"),
     element("div", {class: "split learn"},
       element("div", {}, element("h2", {}, "Candidates"), element("div", {class: "controls"},
         ...stateButtons(candidates, shown.state, value => { shown.state = value; again(); }).filter(Boolean),
-        button("CSV", () => save(candidates), {class: "small"})), table(chosen, candidates, looked, again), ...together(questions)),
-      element("div", {class: "looked"}, ...(looked ? candidateDetail(looked, questions) : []))));
-}
-
-function verdict(questions) {
-  const {headline, sentence} = questions, stem = headline.replace(/\.$/, "");
-  const rest = sentence.startsWith(stem) ? sentence.slice(stem.length).replace(/^[\s:,;.]+/, "") : sentence; // drops the repeated headline
-  return element("div", {class: "verdict " + questions.verdict}, element("h1", {}, headline), element("p", {}, capitalized(rest)));
+        button("CSV", () => save(candidates), {class: "small"})), table(chosen, candidates, looked, again), ...together(diagnosis)),
+      element("div", {class: "looked"}, ...(looked ? candidateDetail(looked, diagnosis) : []))));
 }
 
 function table(chosen, candidates, looked, again) {
@@ -53,8 +48,8 @@ function table(chosen, candidates, looked, again) {
 }
 
 // Views of all candidates; views of one candidate are shown beside the table.
-const together = questions => views.filter(({about, ofCandidate}) => about === "candidates" && !ofCandidate).flatMap(({title, show}) => {
-  const parts = show(questions, {});
+const together = diagnosis => views.filter(({about, ofCandidate}) => about === "candidates" && !ofCandidate).flatMap(({title, show}) => {
+  const parts = show(diagnosis, {});
   return parts ? [element("h2", {}, title), ...parts] : [];
 });
 

@@ -1,5 +1,5 @@
-// Compare view: residuals over any recorded quantity, the selected capture or all readings in space, and all pictures,
-// worst first.
+// Compare view: what the search found, with the picture of its cause; the raw errors over any recorded quantity, the
+// selected capture or all readings in space, and all pictures, worst first.
 import {button, choice, csv, download, element, renew} from "naocal/lib/dom.js";
 import {px} from "naocal/lib/format.js";
 import {axisNames} from "naocal/lib/readings.js";
@@ -7,6 +7,7 @@ import {readingArrows} from "naocal/plots/reading-arrows.js";
 import {arrowsWords, dotsOfReadings, dotsWords, histogramsOfReadings, histogramWords} from "naocal/plots/reading-sections.js";
 import {on} from "../core/connection.js";
 import {state} from "../core/state.js";
+import {causePlots, finding} from "./finding.js";
 import {cornersOf, errorOf, pictureFigure} from "./pictures.js";
 import {horizontals, isChosen, readingTools, scatterFigure, verticals} from "./residual-scatter.js";
 
@@ -14,12 +15,17 @@ const perPage = 6;
 const shown = {horizontal: "u", vertical: "du", isChosen: false, camera: "", first: 0, order: "worst"};
 on("opened", () => Object.assign(shown, {isChosen: false, camera: "", first: 0}));
 
-const isShown = ({error, over}) => shown.vertical === error && shown.horizontal === over;
-const look = ({error, over}) => Object.assign(shown, {vertical: error, horizontal: over});
+// Until other axes are chosen: errors over what drives the cause; as taken where something is wrong with captures; else
+// over their place.
+function lookAtCause({drivers, pictures}) {
+  const {causes, verdict} = state.diagnosis ?? {}, driver = drivers.findIndex(({what}) => what === causes?.[0]?.over);
+  Object.assign(shown, {vertical: pictures.length ? "dv" : "reading0x",
+    horizontal: driver >= 0 ? "driver" + driver : pictures.length && verdict !== "bad-captures" ? "u" : "capture"});
+}
 
 export function showCompare(parent) {
-  const {fit} = state, {telling} = fit;
-  if (!shown.isChosen) look(telling.pairs[0] || (fit.pictures.length ? {error: "du", over: "u"} : {error: "reading0x", over: "capture"}));
+  const {fit} = state;
+  if (!shown.isChosen) lookAtCause(fit);
   const errors = verticals(fit), vertical = errors.find(({value}) => value === shown.vertical) || errors[0];
   const options = horizontals(fit, vertical), horizontal = options.find(({value}) => value === shown.horizontal) || options[0];
   const again = () => showCompare(parent), choose = change => { Object.assign(shown, change, {isChosen: true}); again(); };
@@ -29,7 +35,8 @@ export function showCompare(parent) {
   const scatter = scatterFigure({fit, horizontal, vertical, camera: shown.camera, choose: choosePicture});
   renew(parent,
     element("h1", {}, "Where the prediction fails"),
-    told(telling, choose),
+    finding("h2"), causePlots(choosePicture),
+    element("h2", {}, "Raw errors"),
     element("p", {class: "soft"}, (vertical.joint ? "Each point is one reading of the joint: the error that would explain its pictures. "
       : vertical.series ? "Each point is a reading: predicted minus measured. " : "Each point is a corner: predicted minus measured. ") + "Orange squares: means with two standard errors, each pose counted once. Good: squares stay at zero. " +
       "Click a point to see its capture."),
@@ -57,16 +64,6 @@ function readingParts(fit, open) {
   if (!fit.readings.length) return [];
   return [element("h2", {}, "Readings"), element("p", {class: "soft"}, dotsWords + " " + arrowsWords), dotsOfReadings(fit.readings, "readingDots", {...readingTools(fit), open}),
     element("h2", {}, "Against the noise"), element("p", {class: "soft"}, histogramWords), histogramsOfReadings(fit.readings)];
-}
-
-// Error-driver pairs with the strongest relation.
-function told({sentence, pairs}, choose) {
-  const here = pairs.find(isShown), words = here ? here.sentence : pairs.length ? "Most telling: " + sentence : sentence;
-  return element("div", {class: pairs.length ? "telling" : "telling none"}, element("p", {class: "sentence", role: "status"}, words),
-    pairs.length ? element("div", {class: "controls chips"}, ...pairs.flatMap((pair, i) => [
-      i < 2 ? element("span", {class: "soft"}, i ? "next:" : "Most telling:") : null,
-      button(pair.label, () => choose({vertical: pair.error, horizontal: pair.over}), {class: "small", "aria-pressed": String(isShown(pair)), title: pair.sentence}),
-    ])) : null);
 }
 
 const groupOf = picture => [picture.set, picture.pose || picture.capture, picture.camera].join("\n");

@@ -1,8 +1,9 @@
-// Model panel beside every analysis view: error ladder, effects, undo, search.
+// Model panel beside every analysis view: error ladder, undo, what is missing, effects.
 import {button, csv, download, element, renew} from "naocal/lib/dom.js";
 import {sized} from "naocal/lib/format.js";
 import {errorLadder} from "naocal/plots/error-ladder.js";
 import {act, state} from "../core/state.js";
+import {findingInShort} from "./finding.js";
 
 export function showModel(parent) {
   const {ladder, fit} = state;
@@ -10,7 +11,7 @@ export function showModel(parent) {
     parent.replaceChildren(element("p", {class: "soft"}, state.unfitted ? "There is no fit." : "Fitting the first model …"));
     return;
   }
-  renew(parent, strip(parent, ladder), element("h2", {}, "Ladder of errors ", button("CSV", () => saveLadder(ladder), {class: "small", "aria-label": "save as CSV: ladder of errors"})), ladderOf(ladder), historyButtons(ladder), modelOf(fit), search());
+  renew(parent, strip(parent, ladder), element("h2", {}, "Ladder of errors ", button("CSV", () => saveLadder(ladder), {class: "small", "aria-label": "save as CSV: ladder of errors"})), ladderOf(ladder), historyButtons(ladder), missing(), modelOf(fit));
 }
 
 // In narrow windows the panel is folded to this strip, which stays in sight.
@@ -29,6 +30,9 @@ function saveLadder({unit, rungs}) {
   const rows = rungs.map(({step, rms, heldOut, floor, alarm}) => [step || "base model", rms, heldOut, floor, alarm]);
   download("ladder.csv", csv([["model", ...["fitted poses", "held-out error", "noise floor"].map(title => title + " [" + unit + "]"), "chance that noise alone looks this convincing"], ...rows]), "text/csv");
 }
+
+// What the search found, in a word; Compare and Learn say the rest.
+const missing = () => element("p", {class: "missing", role: "status"}, findingInShort());
 
 // Undo selects the parent of the present model, redo its newest child.
 export const canUndo = ({at, rungs}) => rungs[at].from !== null;
@@ -61,23 +65,3 @@ function modelOf(fit) {
   return element("div", {}, ...parts);
 }
 let openBase = false;
-
-// A search result stays valid while only suggested effects have been added.
-const stillTrue = ({with: began, suggested}) => began.every(label => state.fit.with.includes(label)) &&
-  state.fit.with.every(label => began.includes(label) || suggested.includes(label));
-
-// Automatic search; the user adds its suggestions.
-function search() {
-  const searching = Boolean(state.work && state.work.startsWith("searching"));
-  const part = element("div", {class: "search"}, element("h2", {}, "Automatic search"), element("p", {class: "controls"},
-    button("Find missing effects", () => act({do: "search"}), {disabled: searching}),
-    searching ? button("Stop searching", () => act({do: "cancel"}), {title: "stops after the present addition and keeps what it has found"}) : null));
-  if (state.found && stillTrue(state.found)) {
-    part.append(element("p", {}, (state.found.stopped ? "Stopped early. " : "") + state.found.sentence));
-    for (const label of state.found.suggested) {
-      const has = state.fit.with.includes(label);
-      part.append(element("p", {class: "controls"}, button(has ? label + " is in" : "Add " + label, () => act({do: "add", label}), {disabled: has})));
-    }
-  }
-  return part;
-}

@@ -22,12 +22,11 @@ export function horizontals(fit, {joint, series}) {
   const group = name => name === "t" ? "time" : name.startsWith("tau_") ? "torques" : ["approach", "T", "qd"].includes(name) ? "motion and warmth" : "angles";
   return own.concat(fit.drivers.map((driver, i) => ({
     value: "driver" + i, text: driver.what + (driver.unit ? " [" + driver.unit + "]" : ""), group: group(driver.name),
-    axis: driver.name === "approach" ? driver.what + " (−1: from above, 1: from below)" : null,
     of: ({picture}) => driver.values[picture.index],
   })));
 }
 
-export const verticals = ({telling, pictures, readings}) => [...(pictures.length ? [
+export const verticals = ({pictures, readings}) => [...(pictures.length ? [
   {value: "du", text: "to the right [px]", of: ({du}) => du, group: "of corners"},
   {value: "dv", text: "down [px]", of: ({dv}) => dv, group: "of corners"},
   {value: "length", text: "length [px]", of: ({du, dv}) => Math.hypot(du, dv), group: "of corners"},
@@ -35,7 +34,7 @@ export const verticals = ({telling, pictures, readings}) => [...(pictures.length
   ...readings.flatMap((series, i) => [...axisNames.map((name, axis) => ({value: "reading" + i + name, text: (series.isPlace ? "along " : "about ") + name + " [" + series.unit + "]",
     title: componentTitle(series, name), group: "of " + series.title, series, of: ({error}) => error[axis]})),
   {value: "reading" + i + "length", text: "length [" + series.unit + "]", title: "length of the error [" + series.unit + "]", group: "of " + series.title, series, isLength: true, of: ({error}) => Math.hypot(...error)}]),
-  ...telling.joints.filter(({points}) => points.length).map(({joint, unit, points}) =>
+  ...((state.diagnosis ?? state.earlier)?.left.asGiven?.whatIf ?? []).filter(({points}) => points.length).map(({joint, unit, points}) =>
     ({value: joint, text: joint + " [" + unit + "]", joint, unit, points, group: "of a joint that would explain the misfit"})),
 ];
 
@@ -49,7 +48,7 @@ export function scatterFigure({fit, horizontal, vertical, camera, choose}) {
   return residualScatter({
     points: points.map(point => ({...point, tip: () => point.tip() + "\n" + over + ": " + unitOf(horizontal, point.x)})), means,
     least: joint ? 0.02 : series ? 2 * series.sigma : 0.3, fromZero: vertical.value === "length" || vertical.isLength, isChosen: state.chosen ? isChosen : undefined,
-    title: joint ? "error of " + joint + " that would explain the misfit [" + vertical.unit + "]" : vertical.title ?? "predicted − measured, " + vertical.text, xLabel: horizontal.axis || horizontal.text,
+    title: joint ? "error of " + joint + " that would explain the misfit [" + vertical.unit + "]" : vertical.title ?? "predicted − measured, " + vertical.text, xLabel: horizontal.text,
   }, {label: (joint ? "error of " + joint : "error " + vertical.text) + " over " + horizontal.text, className: "scatter", open: choose});
 }
 

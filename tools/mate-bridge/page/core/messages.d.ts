@@ -59,12 +59,6 @@ export interface FitMessage {
   /** The captures of the readings. */
   captures: (ReadCapture & {index: number})[];
   drivers: RecordedDriver[];
-  /** Pairs of error and driver that explain most; joints' points [pictures, error, sigma] [unit]. */
-  telling: {
-    sentence: string;
-    pairs: {error: string, over: string, label: string, sentence: string, share: number, chance: number}[];
-    joints: {joint: string, unit: string, points: [number[], number, number][]}[];
-  };
   /** What a robot can take over: offsets [°], mounts [rad]; `untold`: joints whose offsets the captures do not determine. */
   compensation: {offsets: {joint: string, value: number}[], untold: string[], mounts: {camera: string, rotation: [number, number, number]}[]};
   with: string[];
@@ -242,13 +236,14 @@ export interface PanelState {
   set: SetMessage;
   ladder: LadderMessage;
   fit: FitMessage;
-  questions: Diagnosis | null;
+  /** Null while it is searched for. */
+  diagnosis: Diagnosis | null;
+  /** Why there is none. */
+  unsearched: {sentence: string} | null;
   /** Answers for the previous model. */
   earlier: Diagnosis | null;
   /** Why there is no fit. */
   unfitted: {sentence: string} | null;
-  /** Result of the automatic search. */
-  found: (Diagnosis & {stopped: boolean, with: string[]}) | null;
   next: NextMessage | null;
   compared: ComparedMessage | null;
   start: StartMessage | null;

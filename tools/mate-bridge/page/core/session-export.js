@@ -65,7 +65,6 @@ function still(parent) {
     if (part.matches("button.plain, .rung")) part.replaceWith(element("span", {class: part.className}, ...part.childNodes));
     else part.remove();
   }
-  for (const part of copy.querySelectorAll(".search")) if (!part.querySelector("p:not(.controls)")) part.remove(); // nothing was searched
   for (const part of copy.querySelectorAll("[id]")) part.removeAttribute("id");
   return copy;
 }

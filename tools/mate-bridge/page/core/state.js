@@ -3,7 +3,7 @@ import {send} from "./connection.js";
 
 /** @type {import("./messages.js").PanelState} */
 export const state = /** @type {any} */ ({
-  analysis: false, set: null, ladder: null, fit: null, questions: null, earlier: null, unfitted: null, found: null, next: null, compared: null,
+  analysis: false, set: null, ladder: null, fit: null, diagnosis: null, unsearched: null, earlier: null, unfitted: null, next: null, compared: null,
   start: null, history: null, missing: null, work: null, robots: new Map(), layer: "reported", chosen: null,
 });
 

@@ -14,7 +14,7 @@ let shown = null, pointed = null;
 
 const isAdded = () => Boolean(state.fit?.with.length);
 /** The best candidate, or what was added; empty while candidates are being tested. */
-const label = () => state.fit?.with[0] ?? state.questions?.candidates[0]?.label ?? "";
+const label = () => state.fit?.with[0] ?? state.diagnosis?.suggested[0] ?? state.diagnosis?.candidates[0]?.label ?? "";
 const bold = text => element("b", {}, text);
 /** Held-out error of the first and of the present model. */
 const errors = () => {
@@ -26,10 +26,10 @@ const errors = () => {
 const steps = [
   {title: "Compare", view: "compare", target: ".split > div:last-child .figure", words: () => ["A simulated NAO took these pictures. Circles are the boards' corners as measured, crosses are where the calibrated robot predicts them. " +
     "They differ by ", bold(px(state.fit ? state.ladder.rungs[state.ladder.at].rms : 0)), ", far more than noise."]},
-  {title: "Where it fails", view: "compare", target: ".telling", words: () => ["The panel has compared every error with everything that was recorded. The line on top names the strongest relation: " +
-    "that is where to look. The chips below it show the next ones."]},
+  {title: "Where it fails", view: "compare", target: ".finding", words: () => state.diagnosis ? ["The panel has tested every known effect at every place. The sentence on top says what is missing. " +
+    "Below it, on the left, is the error that this effect makes, pose by pose; on the right is what remains with it."] : ["The panel is testing every known effect at every place …"]},
   {title: "A candidate", view: "learn", target: ".candidates tbody tr:first-child", words: () => label()
-    ? ["Every known effect was tested at every place. The best candidate is ", bold(label()), ": beside it are its evidence, its size, and the error it would leave."]
+    ? ["All candidates with their evidence. The best is ", bold(label()), ": beside it are its size, and the error it would leave."]
     : ["Every known effect is being tested at every place …"]},
   {title: "Add it", view: "learn", target: ".candidates tbody tr:first-child", next: "Add it for me", isDone: isAdded, go: () => { if (label()) act({do: "add", label: label()}); },
     words: () => ["Press ", bold("Add"), " in its row. The model is fitted again with it, in about a second. Undo takes it back at any time."]},

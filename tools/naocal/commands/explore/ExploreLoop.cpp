@@ -76,15 +76,14 @@ ModelRevision ExploreLoop::questioned(ModelRevision rung) {
   }
   latest_ = std::move(diagnosis);
   mended_ = std::move(mended);
-  rung.rmsPx = latest_.steps.front().rmsPx;
-  rung.questioned = latest_.steps.front();
+  rung.rmsPx = latest_.given.rmsPx;
+  rung.questioned = latest_.given;
   return rung;
 }
 
 DiagnosisOptions ExploreLoop::options(const ModelRevision& rung, const MendedMeasurements& mended) const {
   DiagnosisOptions options{.with = mended.effects, .without = rung.without};
   options.calibration.effects = effects(rung);
-  options.extend = false;
   return options;
 }
 

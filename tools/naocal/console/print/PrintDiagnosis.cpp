@@ -149,7 +149,7 @@ void printDiagnosis(const Diagnosis& diagnosis, const GivenOptions& asked) {
   if (const auto setUps = mendableSetUps(diagnosis); !setUps.empty()) {
     printText("\nmend it:  naocal solve {} -o result.json\n", asked.commandLine(setUps));
   }
-  if (!diagnosis.suggested.empty() && !diagnosis.own) {
+  if (!diagnosis.suggested.empty() && !diagnosis.own && !diagnosis.isTentative) {
     printText("\nadd it:  naocal solve {} -o result.json\n", asked.commandLine(diagnosis.suggested));
   }
   printText("({:.2f} s)\n", diagnosis.seconds);

@@ -17,11 +17,14 @@ export function pictureNames(pictures) {
 export function captureNames({poses, pictures}) {
   const severalSets = new Set(poses.map(({set}) => set)).size > 1;
   const poseName = (/** @type {number} */ pose) => (severalSets ? poses[pose].set + ", " : "") + "pose " + poses[pose].name;
+  /** The same of some pictures of a pose. @param {number[]} some */
+  const capturesName = some => poseName(pictures[some[0]].pose) + "\ncaptures " + some.map(picture =>
+    pictures[picture].capture + (pictures[picture].camera ? " (" + pictures[picture].camera + ")" : "")).join(", ");
   return {
     poseName,
     /** "pose P05\ncaptures 12 (top), 13 (bottom)" @param {number} pose */
-    poseTip: pose => poseName(pose) + "\ncaptures " + poses[pose].pictures.map(picture =>
-      pictures[picture].capture + (pictures[picture].camera ? " (" + pictures[picture].camera + ")" : "")).join(", "),
+    poseTip: pose => capturesName(poses[pose].pictures),
+    capturesName,
     /** "capture 12, pose P05" @param {number} picture */
     captureName: picture => "capture " + pictures[picture].capture + ", " + poseName(pictures[picture].pose),
   };

@@ -243,6 +243,22 @@ export interface Left {
   readings: ReadingSeries[];
 }
 
+/** Partial residuals of a cause: `own` is its part, `left` what the model with it leaves; `own + left` is the misfit without it. */
+export interface Cause {
+  /** Of the effect. */
+  label: string;
+  /** The joint that is off; empty: displacements in the direction of the effect. */
+  error: string;
+  /** What drives it; empty: the effect's own displacement. */
+  over: string;
+  unit: string;
+  overUnit: string;
+  /** Root mean squares without and with the effect. */
+  before: number;
+  after: number;
+  points: {pictures: number[], over: number, own: number, left: number, sigma: number}[];
+}
+
 /** A board's corners: places [m], and how far off they lie [mm]. */
 export interface Shape {
   board: string;
@@ -260,6 +276,8 @@ export interface Diagnosis extends Taken {
   kinds: KindErrors[];
   floorName: string;
   suggested: string[];
+  /** What is suggested "may be" missing: poses come first. */
+  tentative: boolean;
   own: boolean;
   suspicious: string[];
   facts: Fact[];
@@ -269,6 +287,8 @@ export interface Diagnosis extends Taken {
   aliases: Aliases | null;
   map: MapCell[];
   curves: Curve[];
+  /** Of what is suggested, or of the unnamed curve. */
+  causes: Cause[];
   drivers: Driver[];
   left: {asGiven?: Left, withSuggested?: Left};
   next?: {poses: number, why: string};

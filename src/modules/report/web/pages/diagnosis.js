@@ -1,6 +1,8 @@
 // Entry point of the diagnosis page.
 import {at, copyBox, element} from "naocal/lib/dom.js";
+import {captureNames} from "naocal/lib/captures.js";
 import {errorLadder} from "naocal/plots/error-ladder.js";
+import {partialResiduals, partialWords} from "naocal/plots/partial-residuals.js";
 import {views} from "naocal/views/views.js";
 import {showCandidates, untested} from "naocal/pages/candidates.js";
 import {readData, showContents, showHead} from "naocal/pages/head.js";
@@ -13,7 +15,7 @@ const data = readData();
 const nameOf = (/** @type {Step} */ {added, dropped}) => added && "+ " + added + dropped.map(label => " − " + label).join("");
 
 function command() {
-  if (!data.suggested.length) return "";
+  if (!data.suggested.length || data.tentative) return "";
   return data.own ? copyBox("Calibrate with the suggested effects (SET: the captures' folder; model.json: the text below the first curve):",
     "naocal solve SET --model model.json -o result.json")
     : copyBox("Calibrate with the suggested effects (SET: the captures' folder):",
@@ -33,6 +35,9 @@ at("overLadder").hidden = !data.steps.length; // nothing could be fitted
 at("scaled").hidden = data.unit === "px";
 at("overCandidates").hidden = at("overUntested").hidden = !data.candidates.length;
 if (data.steps.length) at("ladder").append(errorLadder(data.steps.map(step => ({...step, name: nameOf(step)})), {floorName: data.floorName, unit: data.unit}), command());
+at("overCauses").hidden = !data.causes.length;
+const {capturesName} = captureNames(data);
+at("causes").append(element("p", {}, partialWords), ...data.causes.map(cause => partialResiduals(cause, {nameOf: capturesName})));
 showCandidates(data.candidates);
 at("candidateViews").append(...sections("candidates"));
 at("untested").append(untested(data.candidates));

@@ -1,0 +1,48 @@
+// What the search found: its sentence, what to do about it, and the picture of its cause.
+import {button, choosing, element} from "naocal/lib/dom.js";
+import {captureNames} from "naocal/lib/captures.js";
+import {capitalized, sized} from "naocal/lib/format.js";
+import {partialResiduals, partialWords} from "naocal/plots/partial-residuals.js";
+import {act, state} from "../core/state.js";
+
+const searching = "Searching for what is missing …";
+
+/** In a few words, for every view. */
+export const findingInShort = () => state.diagnosis ? state.diagnosis.headline : state.unsearched ? "The search failed." : searching;
+
+/** The verdict with its actions; while the search runs, what is certain. @param {"h1" | "h2"} heading */
+export function finding(heading) {
+  const {diagnosis, ladder, unsearched} = state;
+  if (!diagnosis) {
+    const {rms} = ladder.rungs[ladder.at];
+    return element("div", {class: "verdict finding searching", role: "status"}, element(heading, {}, findingInShort()),
+      element("p", {}, "The fit leaves " + sized(rms, ladder.unit) + " rms. " + (unsearched ? capitalized(unsearched.sentence.replace(/\.?$/, ".")) : "Every known effect is being tested at every place.")));
+  }
+  const {headline, sentence, verdict} = diagnosis, stem = headline.replace(/\.$/, "");
+  const rest = sentence.startsWith(stem) ? sentence.slice(stem.length).replace(/^[\s:,;.]+/, "") : sentence; // drops the repeated headline
+  return element("div", {class: "verdict finding " + verdict}, element(heading, {}, headline), element("p", {}, capitalized(rest)), actions(diagnosis));
+}
+
+/** Buttons that mend a set-up, or else add what is suggested. */
+function actions({suggested, own, curves, candidates, tentative}) {
+  const setUps = candidates.filter(({setUp}) => setUp), labels = own ? suggested.slice(0, -1) : suggested, add = label => act({do: "add", label});
+  const buttons = setUps.length ? setUps.map(({label}) => button("Mend " + label, () => add(label), {class: "main"})) : [
+    ...tentative ? [button("Suggest poses", () => { location.hash = "next"; }, {class: "main"})] : [],
+    ...labels.length > 1 ? [button("Add all " + labels.length, () => labels.forEach(add), {class: "main"})] : [],
+    ...labels.map(label => button("Add " + label, () => add(label), {class: labels.length > 1 || tentative ? "" : "main"})),
+    ...own && curves[0]?.model ? [button("Add it as a custom effect", () => act({do: "define", effect: curves[0].model.define[0]}), {class: "main"})] : [],
+  ];
+  return buttons.length ? element("p", {class: "controls"}, ...buttons) : null;
+}
+
+/** The capture of the fit that a diagnosis lists at this place. @param {number} index @returns {any} */
+export const captureAt = index => [...state.fit.pictures, ...state.fit.captures].find(one => one.index === index) ?? null;
+
+/** The error that the cause makes and what remains with it; null without a cause. @param {(picture: any) => void} choose shows a capture */
+export function causePlots(choose) {
+  const {diagnosis} = state;
+  if (!diagnosis?.causes.length) return null;
+  const {causes} = diagnosis, {capturesName} = captureNames(diagnosis);
+  const show = label => partialResiduals(causes.find(cause => cause.label === label) ?? causes[0], {nameOf: capturesName, open: index => choose(captureAt(index))});
+  return element("div", {class: "cause"}, choosing("cause", "Cause", causes.map(({label}) => ({value: label, text: label})), show), element("p", {class: "soft"}, partialWords));
+}
