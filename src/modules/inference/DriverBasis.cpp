@@ -416,7 +416,7 @@ std::string describeDriver(const DriverSeries& driver, const Robot& robot) {
   const std::string& joint = robot.joints[driver.joint].name;
   switch (driver.kind) {
   case Driver::approach:
-    return fmt::format("the direction from which {} was approached (−1: from above, 1: from below)", joint);
+    return fmt::format("how {} was approached (−1: from above, 1: from below)", joint);
   case Driver::temperature:
     return fmt::format("the temperature of {}", joint);
   case Driver::velocity:

@@ -106,7 +106,7 @@ TEST_CASE("a gear's play is shown over how its joint was approached", "[slow]") 
   // Proves that the driver without a number of its own is found, and that the effect's part has one size and two signs.
   const Explained loose{"hysteresis@LHipPitch", Eigen::VectorXd::Constant(1, 0.02)};
   REQUIRE(loose.cause);
-  CHECK_THAT(loose.cause->over, Catch::StartsWith("the direction from which LHipPitch was approached"));
+  CHECK_THAT(loose.cause->over, Catch::StartsWith("how LHipPitch was approached"));
   for (const PartialResidual::Point& point : loose.cause->points) {
     CHECK(std::abs(point.over) <= 1);
     CHECK(std::abs(point.own) == Approx(std::abs(point.over) * std::abs(loose.estimate()) / 2).margin(1e-5));

@@ -35,7 +35,7 @@ function draw(context, {width, height}, {error, over, unit, overUnit, points, is
   const box = {left: 54, right: width - 10, top: 30, bottom: height - 44};
   const {x, y, line} = axes(context, box, widened([low - aside, high + aside], 0.04), widened(reach, 0.06), {
     title: error ? "error of " + error + " [" + unit + "]" : "displacement along the effect [" + unit + "]",
-    xLabel: fitting(context, (over || "displacement by the effect") + (overUnit ? " [" + overUnit + "]" : ""), width)});
+    xLabel: fitting(context, (over || "displacement by the effect") + (overUnit ? " [" + overUnit + "]" : ""), box.right - box.left)});
   const placed = points.map((point, i) => ({...point, at: x(point.over + aside * (i * 0.618034 % 1 - 0.5) * 2)}));
   drawPart(context, placed, {y, line, isIn, isFew});
   context.fillStyle = context.strokeStyle = colours.blue;
