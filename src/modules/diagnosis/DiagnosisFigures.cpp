@@ -74,10 +74,9 @@ void assembleFigures(const DiagnosedModel& given, const DiagnosedModel& last, Di
 
 void addUnnamedCause(const DiagnosedModel& last, Diagnosis& diagnosis) {
   Figures& figures = diagnosis.figures;
-  const std::vector<SingleJointCorrection> left =
-      computeJointCorrections(last.fitted.measurements, last.candidateTests);
-  if (auto cause = computePartialResidual({last.fitted, last.candidateTests, left}, diagnosis.driverCurves.front(),
-                                          figures.recorded)) {
+  const Figures::Left& left = diagnosis.suggested.empty() ? figures.given : figures.last; // of the last model
+  if (auto cause = computePartialResidual({last.fitted, last.candidateTests, left.whatIfs},
+                                          diagnosis.driverCurves.front(), figures.recorded)) {
     figures.causes.insert(figures.causes.begin(), std::move(*cause));
   }
 }

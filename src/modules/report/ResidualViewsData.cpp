@@ -31,6 +31,18 @@ json driverData(const JsonCursor& driver, std::size_t pictures) {
           {"values", std::move(values)}};
 }
 
+/// The images of a point, at least one.
+json picturesOf(const JsonCursor& point, const json& data) {
+  json pictures = json::array();
+  for (const JsonCursor& picture : point.at("pictures").elements()) {
+    pictures.push_back(indexIn(data["pictures"], picture));
+  }
+  if (pictures.empty()) {
+    point.at("pictures").refuse("at least one picture");
+  }
+  return pictures;
+}
+
 /// Per joint its unit and a list of (images, deflection and its standard error).
 json whatIfData(const JsonCursor& diagnosis, const JsonCursor& list, const json& data) {
   json result = json::array();
@@ -38,14 +50,7 @@ json whatIfData(const JsonCursor& diagnosis, const JsonCursor& list, const json&
     const auto [unit, scale] = displayUnit(recordedUnit(diagnosis, joint.at("joint").text()).value_or("rad"));
     json points = json::array();
     for (const JsonCursor& point : joint.at("points").elements()) {
-      json pictures = json::array();
-      for (const JsonCursor& picture : point.at("pictures").elements()) {
-        pictures.push_back(indexIn(data["pictures"], picture));
-      }
-      if (pictures.empty()) {
-        point.at("pictures").refuse("at least one picture");
-      }
-      points.push_back({std::move(pictures), scale * point.at("deflection").number(anyNumber),
+      points.push_back({picturesOf(point, data), scale * point.at("deflection").number(anyNumber),
                         scale * point.at("sigma").number(anyNumber)});
     }
     result.push_back({{"joint", joint.at("joint").text()}, {"unit", unit}, {"points", std::move(points)}});
@@ -106,14 +111,7 @@ json causeData(const JsonCursor& cause, const ErrorUnit& errors, const json& dat
   const auto [overUnit, overScale] = shown(cause.at("overUnit").text());
   json points = json::array();
   for (const JsonCursor& point : cause.at("points").elements()) {
-    json pictures = json::array();
-    for (const JsonCursor& picture : point.at("pictures").elements()) {
-      pictures.push_back(indexIn(data["pictures"], picture));
-    }
-    if (pictures.empty()) {
-      point.at("pictures").refuse("at least one picture");
-    }
-    points.push_back({{"pictures", std::move(pictures)}, {"over", overScale * point.at("over").number(anyNumber)}});
+    points.push_back({{"pictures", picturesOf(point, data)}, {"over", overScale * point.at("over").number(anyNumber)}});
     for (const char* number : {"own", "left", "sigma"}) {
       points.back()[number] = scale * point.at(number).number(anyNumber);
     }

@@ -192,18 +192,15 @@ std::optional<PartialResidual> computePartialResidual(const ExplainedModel& expl
 std::optional<PartialResidual> computePartialResidual(const ExplainedModel& explained, const DriverCurve& curve,
                                                       const std::vector<DriverSeries>& recorded) {
   const Robot& robot = explained.fitted.measurements.robot;
-  const auto joint =
-      std::find_if(robot.joints.begin(), robot.joints.end(), [&](const Joint& one) { return one.name == curve.place; });
-  const auto motor = static_cast<std::size_t>(joint - robot.joints.begin());
-  const SingleJointCorrection* const corrections =
-      joint == robot.joints.end() || !curve.about.empty() ? nullptr : findCorrections(explained, motor);
+  const std::optional<std::size_t> motor = curve.about.empty() ? robot.jointIndex(curve.place) : std::nullopt;
+  const SingleJointCorrection* const corrections = motor ? findCorrections(explained, *motor) : nullptr;
   const auto driver = std::find_if(recorded.begin(), recorded.end(), [&](const DriverSeries& one) {
-    return expressionName(one, motor) == curve.driver && (!one.motor || one.motor == motor);
+    return motor && expressionName(one, *motor) == curve.driver && (!one.motor || one.motor == motor);
   });
   if (corrections == nullptr || driver == recorded.end() || curve.curve.empty()) {
     return std::nullopt;
   }
-  PartialResidual result = describeJointError(robot, motor, *driver);
+  PartialResidual result = describeJointError(robot, *motor, *driver);
   result.label = fmt::format("{} over {}", curve.place, curve.driver);
   double sum = 0, weights = 0;
   for (const JointCorrection& correction : corrections->points) {

@@ -101,6 +101,9 @@ export function dot(context, {x, y, beyond}) {
   context.fill();
 }
 
+/** Place of a point among those of equal value, in [-1, 1): spreads any number of them evenly. @param {number} i */
+export const placeBeside = i => (i * 0.618034 % 1 - 0.5) * 2;
+
 /** Truncates a text to `room` pixels, with an ellipsis. @param {Context} context @param {string} text @param {number} room */
 export function fitting(context, text, room) {
   if (context.measureText(text).width <= room) return text;

@@ -17,12 +17,12 @@ export function pictureNames(pictures) {
 export function captureNames({poses, pictures}) {
   const severalSets = new Set(poses.map(({set}) => set)).size > 1;
   const poseName = (/** @type {number} */ pose) => (severalSets ? poses[pose].set + ", " : "") + "pose " + poses[pose].name;
-  /** The same of some pictures of a pose. @param {number[]} some */
+  /** "pose P05\ncaptures 12 (top), 13 (bottom)" of some pictures of one pose @param {number[]} some */
   const capturesName = some => poseName(pictures[some[0]].pose) + "\ncaptures " + some.map(picture =>
     pictures[picture].capture + (pictures[picture].camera ? " (" + pictures[picture].camera + ")" : "")).join(", ");
   return {
     poseName,
-    /** "pose P05\ncaptures 12 (top), 13 (bottom)" @param {number} pose */
+    /** The same of all of its pictures. @param {number} pose */
     poseTip: pose => capturesName(poses[pose].pictures),
     capturesName,
     /** "capture 12, pose P05" @param {number} picture */

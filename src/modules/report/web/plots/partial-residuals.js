@@ -1,5 +1,5 @@
 // Partial residuals of a cause: the error without the effect and with it, side by side on the same axes.
-import {axes, dot, fitting, widened} from "naocal/lib/axes.js";
+import {axes, dot, fitting, placeBeside, widened} from "naocal/lib/axes.js";
 import {bold, element} from "naocal/lib/dom.js";
 import {colours, figure} from "naocal/lib/figure.js";
 import {short, withError, withUnit} from "naocal/lib/format.js";
@@ -36,7 +36,7 @@ function draw(context, {width, height}, {error, over, unit, overUnit, points, is
   const {x, y, line} = axes(context, box, widened([low - aside, high + aside], 0.04), widened(reach, 0.06), {
     title: error ? "error of " + error + " [" + unit + "]" : "displacement along the effect [" + unit + "]",
     xLabel: fitting(context, (over || "displacement by the effect") + (overUnit ? " [" + overUnit + "]" : ""), box.right - box.left)});
-  const placed = points.map((point, i) => ({...point, at: x(point.over + aside * (i * 0.618034 % 1 - 0.5) * 2)}));
+  const placed = points.map((point, i) => ({...point, at: x(point.over + aside * placeBeside(i))}));
   drawPart(context, placed, {y, line, isIn, isFew});
   context.fillStyle = context.strokeStyle = colours.blue;
   context.lineWidth = 1;

@@ -1,5 +1,5 @@
 // Scatter plot with binned means: corner errors, or joint errors that would explain them.
-import {axes, dot, widened} from "naocal/lib/axes.js";
+import {axes, dot, placeBeside, widened} from "naocal/lib/axes.js";
 import {colours, figure} from "naocal/lib/figure.js";
 import {extent, quantile} from "naocal/lib/statistics.js";
 
@@ -51,7 +51,7 @@ export function drawScatter(context, width, height, {points, means, title, xLabe
   context.lineWidth = 1;
   const size = points.length > 20000 ? 2 : 3.2;
   const targets = points.map(({x: across, y: value, sigma, picture, tip}, i) => {
-    const target = {x: x(across + aside * (i * 0.618034 % 1 - 0.5) * 2), y: y(inside(value)), picture, tip,
+    const target = {x: x(across + aside * placeBeside(i)), y: y(inside(value)), picture, tip,
       beyond: Math.abs(value) > reach ? -Math.sign(value) : 0};
     if (sigma !== undefined) {
       context.globalAlpha = 0.3;
