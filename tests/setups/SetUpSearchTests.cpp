@@ -85,6 +85,76 @@ TEST_CASE("two mistakes together are both named", "[slow]") {
   CHECK(found == std::vector<std::string>{"columnUnit@elbow", "quaternionOrder@laser"});
 }
 
+TEST_CASE("several joints with the wrong sign are all named", "[slow]") {
+  // Proves it where each of them alone leaves the error as large, so that other mistakes seem to explain part of it.
+  const TemporaryFolder folder;
+  for (const std::vector<std::string>& reversed :
+       {std::vector<std::string>{"lift", "wrist2", "wrist3"}, {"elbow", "wrist1", "wrist3"}}) {
+    Recording wrong = armBeforeTracker(folder, 3).right;
+    for (const std::string& joint : reversed) {
+      spoiling::reverse(joint).apply(wrong);
+    }
+    std::vector<std::string> found = suspectedLabels(wrong), expected;
+    std::transform(reversed.begin(), reversed.end(), std::back_inserter(expected),
+                   [](const std::string& joint) { return "reversedJoint@" + joint; });
+    CHECK_THAT(found, Catch::UnorderedEquals(expected));
+  }
+}
+
+TEST_CASE("a marker is found on a link nearer to the base and on one further out", "[slow]") {
+  // Proves both directions, and a link that two joints divide from the one that the file names.
+  const TemporaryFolder folder;
+  for (const auto& [right, said] : {std::pair{"hand", "l5"}, std::pair{"l5", "hand"}, std::pair{"l4", "hand"}}) {
+    Recording wrong = makeArmTwin(folder, "one",
+                                  fmt::format(R"(
+      "trackers": {{"vicon": {{"about": {{"x": 2, "y": 0.3, "z": 1}}}}}},
+      "markers": [{{"id": "m", "link": "{}", "about": [0.1, 0.05, 0.02]}}])",
+                                              right),
+                                  {.seed = 8, .poses = 30})
+                          .right;
+    spoiling::nameOtherLink("m", said).apply(wrong);
+    const std::vector<WrongSetUp> found = suspected(wrong);
+    CAPTURE(right, said);
+    REQUIRE(labelsOf(found) == std::vector<std::string>{"otherLink@m"});
+    CHECK(found.front().why.starts_with(fmt::format("m sits on {}, not on {}", right, said)));
+  }
+}
+
+TEST_CASE("all markers of a link are found on another as one mistake", "[slow]") {
+  // Proves it for five markers, more than the mistakes that are looked for together, although the guesses of their
+  // places belong to the wrong link; and that a joint is no place of a marker.
+  const TemporaryFolder folder;
+  std::string markers;
+  for (const char* const id : {"a", "b", "c", "d", "e"}) {
+    markers += fmt::format(R"({}{{"id": "{}", "link": "l5", "about": [0.1, {}, 0.02]}})", markers.empty() ? "" : ", ",
+                           id, 0.02 * (id[0] - 'c'));
+  }
+  Recording wrong = makeArmTwin(folder, "tool", R"("trackers": {"vicon": {"about": {"x": 2, "y": 0.3, "z": 1}}},
+    "markers": [)" + markers + "]",
+                                {.seed = 8})
+                        .right;
+  for (const char* const id : {"a", "b", "c", "d", "e"}) {
+    spoiling::nameOtherLink(id, "hand").apply(wrong);
+  }
+  CHECK(suspectedLabels(wrong) == std::vector<std::string>{"otherLink@hand"});
+  std::vector<std::string> with{"otherLink@elbow"};
+  CHECK_THROWS_WITH(mendSetUps(with, wrong.robot, wrong.sets), Catch::Contains("names no place of these captures"));
+}
+
+TEST_CASE("a gear of another ratio is an effect, not noise of the readings", "[slow]") {
+  // Proves that a size far beyond plausible does not raise the level of readings whose noise nobody tells: the fit
+  // without the effect leaves centimetres, that with it the tracker's noise.
+  const TemporaryFolder folder;
+  Recording wrong = armBeforeTracker(folder, 3).right;
+  addGain(wrong, "wrist2", 0.2);
+  const Measurements measurements = buildMeasurements(wrong.sets, wrong.robot);
+  const CalibrationResult result = calibrateChecked(measurements, buildModel(measurements));
+  REQUIRE(result.noise.readings.size() == 1);
+  CAPTURE(result.sentence);
+  CHECK(result.noise.readings.front() < 0.001);
+  CHECK(result.sentence.find("encoderGain@wrist2") != std::string::npos);
+}
+
 TEST_CASE("a joint counted from another is named although only few rows show it", "[slow]") {
   // Proves that rows which lose their weight in a robust fit count: the lift moves in 8 of 40 poses only.
   const TemporaryFolder folder;

@@ -263,6 +263,19 @@ inline Spoiling shiftTime(std::ptrdiff_t shift) {
           }};
 }
 
+/// The file names a link further out than that on which a marker or a frame sits, or nearer.
+inline Spoiling nameOtherLink(const std::string& id, const std::string& link) {
+  return {"otherLink@" + id, [=](Recording& recording) {
+            Instruments& instruments = recording.sets.front().instruments;
+            for (TrackedMarker& marker : instruments.markers) {
+              marker.link = marker.id == id ? link : marker.link;
+            }
+            for (TrackedFrame& frame : instruments.frames) {
+              frame.link = frame.id == id ? link : frame.link;
+            }
+          }};
+}
+
 inline Spoiling swapCameras() {
   return {"swappedCameras@bottom,top", everyCapture([](const CaptureSet&, Capture& capture) {
             capture.camera = capture.camera == "top" ? "bottom" : "top";
@@ -300,6 +313,7 @@ inline std::vector<Spoiling> drawSpoilings(const Twin& twin, std::uint64_t seed)
     all.push_back(mirror("vicon", draw(2) == 0 ? exchanged : Eigen::Matrix3d{Eigen::Vector3d{1, -1, 1}.asDiagonal()}));
     all.push_back(giveInMillimetres("vicon", "xyz"));
     all.push_back(giveInMillimetres("vicon", "z"));
+    all.push_back(nameOtherLink("a", "l5"));
     all.push_back(slipCount(draw(2) == 0 ? "lift" : "elbow", draw(2) == 0 ? 1 : -1));
   }
   if (twin.name == "frames") {
@@ -307,6 +321,7 @@ inline std::vector<Spoiling> drawSpoilings(const Twin& twin, std::uint64_t seed)
     all.push_back(invertFrames("laser"));
     all.push_back(mirror("laser", Eigen::Vector3d{1, 1, -1}.asDiagonal()));
     all.push_back(giveInMillimetres("laser", "xyz"));
+    all.push_back(nameOtherLink("tool", "l5"));
   }
   if (twin.name == "wrist camera") {
     all.push_back(

@@ -5,7 +5,8 @@ namespace naocal {
 const std::vector<SetUp>& allSetUps() {
   static const std::vector<SetUp> all{reversedJoint(), swappedJoints(),   columnUnit(),      squareSize(),
                                       cameraAxes(),    mirroredTracker(), quaternionOrder(), inverseFrames(),
-                                      countedFrom(),   timeShift(),       countSlip(),       swappedCameras()};
+                                      countedFrom(),   timeShift(),       countSlip(),       swappedCameras(),
+                                      otherLink()};
   return all;
 }
 

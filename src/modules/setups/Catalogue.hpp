@@ -26,6 +26,7 @@ SetUp countedFrom();
 SetUp timeShift();
 SetUp countSlip();
 SetUp swappedCameras();
+SetUp otherLink();
 
 /// All mistakes, the most common first.
 const std::vector<SetUp>& allSetUps();

@@ -49,7 +49,10 @@ std::vector<Mending> listWays(const std::string& label, const Measurements& meas
   const std::vector<std::string> places = setUp->listPlaces(measurements);
   const bool isPlace = std::find(places.begin(), places.end(), place) != places.end();
   if (isPlace || (setUp->needs.empty() && areJoints(place, *measurements.sets))) {
-    return setUp->listMendings(measurements, place);
+    std::vector<Mending> ways = setUp->listMendings(measurements, place);
+    if (!ways.empty()) {
+      return ways;
+    }
   }
   if (places.empty() && !setUp->needs.empty()) {
     throw InputError{fmt::format("'{}' needs {}, found none", label, setUp->needs)};

@@ -82,7 +82,7 @@ struct Explained {
   std::vector<Hypothesis> mistakes;
   Recording recording;
   SetUpFit fit;
-  std::shared_ptr<const Explained> parent = nullptr; // the same without the last mistake; of one mistake or none: null
+  std::shared_ptr<const Explained> parent = nullptr; // the same without the last step's mistakes; of one step: null
 
   double length() const {
     double sum = fit.length;
@@ -118,7 +118,7 @@ public:
       for (const Explained& one : longer) {
         rivals_.push_back({one.mistakes, {}, one.fit, nullptr});
       }
-      const double toBeat = best_.length() - std::max(threshold::veryStrong, leastGain * best_.fit.numbers);
+      const double toBeat = lengthToBeat();
       std::erase_if(longer, [&](const Explained& one) { return !(one.length() < toBeat); });
       longer.resize(std::min<std::size_t>(longer.size(), beam));
       front = std::move(longer);
@@ -126,6 +126,7 @@ public:
     }
     dropLast();
     dropSuperfluous();
+    trySigns();
   }
 
   const Explained& best() const { return best_; }
@@ -167,31 +168,86 @@ private:
   /// The likeliest explanations with one more mistake.
   std::vector<Explained> extend(const Explained& from) const {
     const Measurements all = buildMeasurements(from.recording.sets, from.recording.robot, samePlace_);
-    std::vector<Hypothesis> hypotheses = listHypotheses(all, from.mistakes);
+    std::vector<std::vector<Hypothesis>> choices;
+    for (Hypothesis& hypothesis : listHypotheses(all, from.mistakes)) {
+      choices.push_back({std::move(hypothesis)});
+    }
+    return extend(from, all, choices);
+  }
+
+  /// The likeliest explanations with one of these choices of further mistakes. `all`: the measurements of `from`.
+  std::vector<Explained> extend(const Explained& from, const Measurements& all,
+                                const std::vector<std::vector<Hypothesis>>& choices) const {
     const CaptureSelection few = selectCaptures(all, asked_.build(all).unknownCount());
     const Recording part = few.of(from.recording);
-    std::vector<std::pair<double, std::size_t>> ranked(hypotheses.size());
-    parallelFor(hypotheses.size(), [&](std::size_t i) {
+    std::vector<std::pair<double, std::size_t>> ranked(choices.size());
+    parallelFor(choices.size(), [&](std::size_t i) {
       constexpr FitEffort quick{.iterations = 15, .robust = false};
-      const bool needsAll = hypotheses[i].setUp->needsNeighbours;
+      const bool needsAll = std::any_of(choices[i].begin(), choices[i].end(),
+                                        [](const Hypothesis& one) { return one.setUp->needsNeighbours; });
       Recording mended = needsAll ? from.recording : part;
-      hypotheses[i].mending.apply(mended);
+      double cost = 0;
+      for (const Hypothesis& mistake : choices[i]) {
+        mistake.mending.apply(mended);
+        cost += mistake.cost;
+      }
       const auto left = fit(needsAll ? few.of(mended) : std::move(mended), quick);
-      ranked[i] = {left ? left->length + hypotheses[i].cost : std::numeric_limits<double>::infinity(), i};
+      ranked[i] = {left ? left->length + cost : std::numeric_limits<double>::infinity(), i};
     });
     std::sort(ranked.begin(), ranked.end());
     const auto parent = from.mistakes.empty() ? nullptr : std::make_shared<const Explained>(from);
     std::vector<Explained> result;
     for (std::size_t i = 0; i < std::min(refitted, ranked.size()) && std::isfinite(ranked[i].first); ++i) {
       Explained next{from.mistakes, from.recording, {}, parent};
-      next.mistakes.push_back(hypotheses[ranked[i].second]);
-      next.mistakes.back().mending.apply(next.recording);
+      for (const Hypothesis& mistake : choices[ranked[i].second]) {
+        next.mistakes.push_back(mistake);
+        mistake.mending.apply(next.recording);
+      }
       if (auto left = fit(next.recording, {})) {
         next.fit = *std::move(left);
         result.push_back(std::move(next));
       }
     }
     return result;
+  }
+
+  /// How much shorter a description must be than the best one's [2 ln].
+  double lengthToBeat() const {
+    return best_.length() - std::max(threshold::veryStrong, leastGain * best_.fit.numbers);
+  }
+
+  /// Tries all sets of joints with the wrong sign where mistake after mistake leaves a large error: each of several
+  /// wrong signs alone may leave it as large, and other mistakes then seem to explain part of it.
+  void trySigns() {
+    constexpr std::size_t mostJoints = 7; // an arm's: 127 sets
+    if (best_.fit.typicalError < largeError) {
+      return;
+    }
+    const Measurements all = buildMeasurements(start_.recording.sets, start_.recording.robot, samePlace_);
+    std::vector<Hypothesis> signs = listHypotheses(all, {});
+    std::erase_if(signs, [](const Hypothesis& one) { return one.setUp->name != setUpName::reversedJoint; });
+    if (signs.size() > mostJoints) {
+      return;
+    }
+    std::vector<std::vector<Hypothesis>> choices;
+    for (std::size_t chosen = 1; chosen < std::size_t{1} << signs.size(); ++chosen) {
+      std::vector<Hypothesis>& choice = choices.emplace_back();
+      for (std::size_t i = 0; i < signs.size(); ++i) {
+        if ((chosen >> i & 1) != 0) {
+          choice.push_back(signs[i]);
+        }
+      }
+    }
+    std::vector<Explained> found = extend(start_, all, choices);
+    const auto shortest = std::min_element(
+        found.begin(), found.end(), [](const Explained& a, const Explained& b) { return a.length() < b.length(); });
+    for (const Explained& one : found) {
+      rivals_.push_back({one.mistakes, {}, one.fit, nullptr});
+    }
+    if (shortest != found.end() && shortest->length() < lengthToBeat() && removesError(start_.fit, shortest->fit)) {
+      best_ = std::move(*shortest);
+      dropSuperfluous();
+    }
   }
 
   /// Takes back last mistakes that do what an effect does: shorten the description, but leave much of the error.
@@ -303,7 +359,11 @@ std::string describeDoubt(const SetUpSearch& search, const SetUpFit& before) {
     others.push_back(fmt::format("{}'s zero is off by {:.0f}°", before.farPlace, degrees(before.farTurn)));
   }
   if (rival && rival->length() < search.best().length() + threshold::equallyLikely) {
-    others.push_back(rival->mistakes.back().mending.what);
+    for (const Hypothesis& mistake : rival->mistakes) {
+      if (!search.best().has(mistake.label())) {
+        others.push_back(mistake.mending.what);
+      }
+    }
   }
   return others.empty() ? "" : fmt::format(", or {}: these captures cannot tell", fmt::join(others, " or "));
 }

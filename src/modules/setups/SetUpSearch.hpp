@@ -6,8 +6,8 @@
 
 namespace naocal {
 
-/// Explains an error that no calibrated robot has by mistakes of the set-up (`allSetUps`), up to three together; empty
-/// if the error is none such, or if no mistake explains it.
+/// Explains an error that no calibrated robot has by mistakes of the set-up (`allSetUps`), up to three together or
+/// several wrong signs; empty if the error is none such, or if no mistake explains it.
 ///
 /// Starts where the error of all measurements, those included that lost their weight, is ten times that of a usual
 /// instrument, where an offset or a mount is off as on no robot, or where the likeliest effect is a scale. Each mistake
