@@ -212,6 +212,9 @@ void bindDiagnosis(py::module_& module) {
           "'bad-captures'.")
       .def_property_readonly("sentence", [](const Diagnosed& self) { return self.diagnosis.sentence; })
       .def_property_readonly(
+          "tentative", [](const Diagnosed& self) { return self.diagnosis.isTentative; },
+          "Whether what is suggested may be chance: take more poses before you add it.")
+      .def_property_readonly(
           "suggested", [](const Diagnosed& self) { return self.diagnosis.suggested; },
           "Labels of the effects to add, in this order.")
       .def_property_readonly(

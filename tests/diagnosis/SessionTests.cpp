@@ -85,13 +85,13 @@ TEST_CASE("a changed model comes last and names its origin, and every model that
   Session session;
   session.ladder.push_back({.rmsPx = 0.5, .questioned = SelectionStep{}});
   const auto base = [] { return std::vector<std::string>{"jointOffset@HeadYaw"}; };
-  session.add("elasticity@LKneePitch", base);
+  session.add({"elasticity@LKneePitch"}, base);
   CHECK(session.current().with == std::vector<std::string>{"elasticity@LKneePitch"});
   CHECK(session.current().step == "+ elasticity@LKneePitch");
   CHECK_FALSE(session.current().questioned); // results belong to the previous model
   session.undo();
   CHECK(session.at == 0);
-  session.add("backlash@LKneePitch", base);
+  session.add({"backlash@LKneePitch"}, base);
   CHECK(session.at == 2);
   CHECK(session.ladder[2].from == 0U);
   CHECK(session.ladder[1].with == std::vector<std::string>{"elasticity@LKneePitch"});
@@ -113,21 +113,25 @@ TEST_CASE("an effect of the base model can be dropped and added again, and nothi
   Session session;
   session.ladder.emplace_back();
   const auto base = [] { return std::vector<std::string>{"jointOffset@HeadYaw"}; };
-  CHECK_THROWS_WITH(session.add("jointOffset@HeadYaw", base), Contains("is in the model already"));
+  CHECK_THROWS_WITH(session.add({"jointOffset@HeadYaw"}, base), Contains("is in the model already"));
   CHECK_THROWS_WITH(session.drop("elasticity@LKneePitch", base), Contains("it has no more than the base"));
   CHECK_THROWS_WITH(session.undo(), Contains("nothing to undo"));
   CHECK_THROWS_AS(session.goTo(1), InputError);
   CHECK(session.ladder.size() == 1);
   session.drop("jointOffset@HeadYaw", base);
   CHECK(session.current().without == base());
-  session.add("jointOffset@HeadYaw", [] { return std::vector<std::string>{}; });
+  session.add({"jointOffset@HeadYaw"}, [] { return std::vector<std::string>{}; });
   CHECK(session.current().without.empty());
   CHECK(session.current().with.empty());
-  session.add("elasticity@*", base);
-  CHECK_THROWS_AS(session.add("elasticity@*", base), InputError); // a pattern; no term has this label
+  session.add({"elasticity@*"}, base);
+  CHECK_THROWS_AS(session.add({"elasticity@*"}, base), InputError); // a pattern; no term has this label
+  session.add({"backlash@LKneePitch", "focalLength@top"}, base);    // one revision
+  CHECK(session.current().step == "+ backlash@LKneePitch, focalLength@top");
+  CHECK(session.current().with == std::vector<std::string>{"elasticity@*", "backlash@LKneePitch", "focalLength@top"});
+  session.undo();
 
   const auto broken = []() -> std::vector<std::string> { throw InputError{"there is no such model"}; };
   session.drop("elasticity@*", broken); // dropping works although the model cannot be built
   CHECK(session.current().with.empty());
-  CHECK_THROWS_WITH(session.add("elasticity@LKneePitch", broken), Contains("no such model"));
+  CHECK_THROWS_WITH(session.add({"elasticity@LKneePitch"}, broken), Contains("no such model"));
 }

@@ -65,7 +65,7 @@ void writeAnswers(const CaptureSet& set, const Robot& robot) {
   writeSeed("result", "solved", document.dump(1));
 
   Session session{.ladder = {{.rmsPx = fit.rmsPx}}, .inputs = inputs};
-  session.add("elasticity@LKneePitch", [] { return std::vector<std::string>{}; });
+  session.add({"elasticity@LKneePitch"}, [] { return std::vector<std::string>{}; });
   session.current().questioned = SelectionStep{.rmsPx = 0.5, .noiseFloorPx = 0.31};
   session.drop("jointOffset@HeadYaw", [] { return std::vector<std::string>{"jointOffset@HeadYaw"}; });
   writeSeed("session", "three-models", sessionJson(session).dump(1));
@@ -164,7 +164,7 @@ void writeBrowsers() {
             R"({"do": "stand", "number": 1, "angles": [0, 0.1, 0.2]}
 {"do": "stand", "number": 2, "angles": {"HeadYaw": 0.1, "LKneePitch": 0.4}}
 {"do": "check", "number": 3, "effect": {"name": "cable", "at": "*", "correction": "a*q", "unknowns": {"a": {"unit": "1", "sigma": 0.1}}}}
-{"do": "add", "label": "elasticity@LKneePitch"}
+{"do": "add", "labels": ["elasticity@LKneePitch"]}
 {"do": "goTo", "rung": 0}
 {"do": "define", "effect": {"name": "cable"}}
 {"do": "drop", "label": "jointOffset@HeadYaw"}
@@ -179,7 +179,7 @@ void writeBrowsers() {
   const std::string effect =
       R"("effect": {"name": "cable", "at": "LKneePitch", "correction": "a*q", "unknowns": {"a": {"unit": "1", "sigma": 0.1}}}})";
   writeSeed("analysis", "effect-of-ones-own", R"({"do": "check", )" + effect + "\n" + R"({"do": "define", )" + effect);
-  writeSeed("analysis", "add-and-drop", R"({"do": "add", "label": "elasticity@LKneePitch"}
+  writeSeed("analysis", "add-and-drop", R"({"do": "add", "labels": ["elasticity@LKneePitch"]}
 {"do": "drop", "label": "jointOffset@HeadYaw"})");
   writeSeed("analysis", "back", R"({"do": "drop", "label": "cameraRotation@top"}
 {"do": "goTo", "rung": 0})");

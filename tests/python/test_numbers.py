@@ -108,6 +108,7 @@ def test_a_diagnosis_is_the_commands(run, read, folder, captures, tmp_path):
     assert without_seconds(diagnosis.to_dict()) == read(tmp_path / "told.json")
     document = diagnosis.to_dict()
     assert diagnosis.verdict == "effect-missing" and diagnosis.suggested == [FLAW] == document["suggested"]
+    assert diagnosis.tentative is document["tentative"] is False
     assert (diagnosis.sentence, diagnosis.alarm) == (document["sentence"], document["alarm"])
     assert [c.label for c in diagnosis.ranking] == [f"{c['effect']}@{c['at']}" for c in document["ranking"]]
     assert [c.state for c in diagnosis.ranking] == [c["state"] for c in document["ranking"]]

@@ -265,7 +265,7 @@ struct Panel::Implementation {
         {"open", [](const Request& request) { request.open(); }},
         {"check",
          [](const Request& request) { request.answer("checked", request.worker().checkEffect(request.at("effect"))); }},
-        {"add", [](const Request& request) { request.worker().add(request.at("label")); }},
+        {"add", [](const Request& request) { request.worker().add(request.at("labels")); }},
         {"drop", [](const Request& request) { request.worker().drop(request.at("label")); }},
         {"goTo", [](const Request& request) { request.worker().goTo(request.numberAt("rung")); }},
         {"define", [](const Request& request) { request.worker().defineEffect(request.at("effect")); }},

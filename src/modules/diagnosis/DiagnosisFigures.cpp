@@ -72,6 +72,14 @@ void assembleFigures(const DiagnosedModel& given, const DiagnosedModel& last, Di
   }
 }
 
+void addNegligibleCause(const FittedModel& with, const Term& effect, Diagnosis& diagnosis) {
+  const CandidateTests tests{with, {}, {.draws = 0, .map = false}};
+  const std::vector<SingleJointCorrection> left = computeJointCorrections(with.measurements, tests);
+  if (auto cause = computePartialResidual({with, tests, left}, effect, diagnosis.figures.recorded)) {
+    diagnosis.figures.causes.push_back(std::move(*cause));
+  }
+}
+
 void addUnnamedCause(const DiagnosedModel& last, Diagnosis& diagnosis) {
   Figures& figures = diagnosis.figures;
   const Figures::Left& left = diagnosis.suggested.empty() ? figures.given : figures.last; // of the last model

@@ -77,15 +77,17 @@ std::vector<std::string> termLabels(const Model& model) {
   return labels;
 }
 
-void Session::add(const std::string& label, const Terms& terms) {
+void Session::add(const std::vector<std::string>& labels, const Terms& terms) {
   ModelRevision changed = current();
-  if (std::erase(changed.without, label) == 0) {
-    if (contains(changed.with, label) || contains(terms(), label)) {
-      throw InputError{fmt::format("{} is in the model already", label)};
+  for (const std::string& label : labels) {
+    if (std::erase(changed.without, label) == 0) {
+      if (contains(changed.with, label) || contains(terms(), label)) {
+        throw InputError{fmt::format("{} is in the model already", label)};
+      }
+      changed.with.push_back(label);
     }
-    changed.with.push_back(label);
   }
-  revise(std::move(changed), "+ " + label);
+  revise(std::move(changed), fmt::format("+ {}", fmt::join(labels, ", ")));
 }
 
 void Session::drop(const std::string& label, const Terms& terms) {

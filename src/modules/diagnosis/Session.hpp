@@ -36,9 +36,9 @@ struct Session {
   /// exist.
   using Terms = std::function<std::vector<std::string>()>;
 
-  /// Appends the current model with another effect, or with a removed effect of the base model restored. Throws
-  /// InputError if the model already contains it.
-  void add(const std::string& label, const Terms& terms);
+  /// Appends the current model with further effects, or with removed effects of the base model restored, as one
+  /// revision. Throws InputError if the model already contains one of them.
+  void add(const std::vector<std::string>& labels, const Terms& terms);
   /// Appends the current model without one of its effects, base effects included. Throws InputError if it has no such
   /// effect.
   void drop(const std::string& label, const Terms& terms);

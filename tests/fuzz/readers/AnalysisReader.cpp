@@ -30,8 +30,8 @@ bool handleMessage(AnalysisSession& session, const Json& message) {
   }
   if (verb == "define") {
     session.defineEffect(given("effect"));
-  } else if (verb == "add" && given("label").is_string()) {
-    session.add(given("label"));
+  } else if (verb == "add" && given("labels").is_array()) {
+    session.add(given("labels"));
   } else if (verb == "drop" && given("label").is_string()) {
     session.drop(given("label"));
   } else if (verb == "goTo" && given("rung").is_number_unsigned()) {

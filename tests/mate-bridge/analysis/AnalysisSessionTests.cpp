@@ -69,7 +69,7 @@ TEST_CASE("adding what is missing lets the error on unseen poses fall to the noi
   const Json before = bench.told["ladder"]["rungs"][0];
   CHECK(bench.told["diagnosis"]["candidates"][0]["label"] == bench.set.flaw);
 
-  bench.session.add(bench.set.flaw);
+  bench.session.add({bench.set.flaw});
   CHECK(bench.told["fit"]["with"] == Json::array({bench.set.flaw}));
   bench.session.search();
   const Json after = bench.told["ladder"]["rungs"][1];
@@ -199,12 +199,12 @@ TEST_CASE("a suspected set-up is mended like an effect is added, and taken back"
   const double before = told["fit"]["rms"];
   session.search();
   CHECK(told["diagnosis"]["candidates"][0]["label"] == mirrored);
-  session.add(mirrored);
+  session.add({mirrored});
   const double after = told["fit"]["rms"];
   CHECK(after < 0.5 * before);
   const Json labels = told["fit"]["labels"];
   CHECK(std::count(labels.begin(), labels.end(), mirrored) == 1);
-  CHECK_THROWS_AS(session.add(mirrored), InputError);
+  CHECK_THROWS_AS(session.add({mirrored}), InputError);
   const Json result = Json::parse(session.generateFile("result.json"));
   CHECK(result["inputs"]["setUps"] == Json{mirrored});
   session.compareWith(opened);
@@ -223,13 +223,13 @@ TEST_CASE("what cannot be done is refused with a sentence and changes nothing", 
   // Proves the refusals of add, drop and goTo.
   Bench bench;
   bench.session.fit();
-  CHECK_THROWS_AS(bench.session.add("elasticity@LKneePitsch"), InputError);
+  CHECK_THROWS_AS(bench.session.add({"elasticity@LKneePitsch"}), InputError);
   CHECK_THROWS_AS(bench.session.drop("elasticity@LKneePitch"), InputError);
   CHECK_THROWS_AS(bench.session.goTo(1), InputError);
   CHECK(bench.told["ladder"]["rungs"].size() == 1);
   bench.session.drop("jointOffset@HeadYaw");
   CHECK(bench.told["fit"]["without"] == Json::array({"jointOffset@HeadYaw"}));
-  bench.session.add("jointOffset@HeadYaw");
+  bench.session.add({"jointOffset@HeadYaw"});
   CHECK(bench.told["fit"]["without"].empty());
 }
 
@@ -237,9 +237,9 @@ TEST_CASE("another model that is tried from an earlier one leaves those between 
   // Proves the history's branches: all revisions are kept, and each names its origin.
   Bench bench;
   bench.session.fit();
-  bench.session.add("elasticity@LKneePitch");
+  bench.session.add({"elasticity@LKneePitch"});
   bench.session.goTo(0);
-  bench.session.add("backlash@LKneePitch");
+  bench.session.add({"backlash@LKneePitch"});
   const Json& rungs = bench.told["ladder"]["rungs"];
   REQUIRE(rungs.size() == 3);
   CHECK(bench.told["ladder"]["at"] == 2);
@@ -247,8 +247,8 @@ TEST_CASE("another model that is tried from an earlier one leaves those between 
   CHECK(rungs[1]["with"] == Json::array({"elasticity@LKneePitch"}));
   CHECK(rungs[2]["with"] == Json::array({"backlash@LKneePitch"}));
   CHECK(rungs[2]["from"] == 0);
-  CHECK_THROWS_AS(bench.session.add("backlash@LKneePitch"), InputError);
-  CHECK_THROWS_AS(bench.session.add("jointOffset@HeadYaw"), InputError); // part of the base model
+  CHECK_THROWS_AS(bench.session.add({"backlash@LKneePitch"}), InputError);
+  CHECK_THROWS_AS(bench.session.add({"jointOffset@HeadYaw"}), InputError); // part of the base model
 }
 
 TEST_CASE("a search that is cancelled says nothing, and the next one finds what is missing", "[slow]") {

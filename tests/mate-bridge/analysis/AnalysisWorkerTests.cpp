@@ -108,7 +108,7 @@ TEST_CASE("a change ends the search of the model before, and a refused one lets 
   thread.slot.worker()->drop("jointOffset@HeadYaw"); // while the first model is searched
   REQUIRE(thread.until("fit"));
   CHECK(std::count(thread.told.begin(), thread.told.end(), "diagnosis") == 0);
-  thread.slot.worker()->add("elasticity@LKneePitsch");
+  thread.slot.worker()->add({"elasticity@LKneePitsch"});
   REQUIRE(thread.until("refused"));
   REQUIRE(thread.until("diagnosis"));
   CHECK(std::count(thread.told.begin(), thread.told.end(), "fit") == 0);

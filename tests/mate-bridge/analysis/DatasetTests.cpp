@@ -106,9 +106,9 @@ TEST_CASE("a session is kept as it goes, and gone on from", "[slow]") {
   {
     AnalysisSession session{openSession({set}, file), tell};
     session.fit();
-    session.add("elasticity@LKneePitch");
+    session.add({"elasticity@LKneePitch"});
     session.search();
-    session.add("focalLength@top");
+    session.add({"focalLength@top"});
     session.goTo(1);
   }
   const Json ladder = told["ladder"];

@@ -159,9 +159,9 @@ std::vector<std::string> AnalysisSession::terms() const {
   return termLabels(mended_, rung.without, effects(rung));
 }
 
-void AnalysisSession::add(const std::string& label) {
+void AnalysisSession::add(const std::vector<std::string>& labels) {
   Session session = session_;
-  session.add(label, [this] { return terms(); });
+  session.add(labels, [this] { return terms(); });
   enter(std::move(session));
 }
 

@@ -29,7 +29,7 @@ public:
   /// Fits the current model, a modified one that becomes the last revision (`Session`), or an earlier one. Throw
   /// InputError for impossible changes.
   void fit();
-  void add(const std::string& label);
+  void add(const std::vector<std::string>& labels);
   void drop(const std::string& label);
   void goTo(std::size_t number);
 

@@ -98,8 +98,8 @@ void AnalysisWorker::change(std::function<void(AnalysisSession&)> change) {
   search();
 }
 
-void AnalysisWorker::add(const std::string& label) {
-  change([label](AnalysisSession& session) { session.add(label); });
+void AnalysisWorker::add(const std::vector<std::string>& labels) {
+  change([labels](AnalysisSession& session) { session.add(labels); });
 }
 
 void AnalysisWorker::drop(const std::string& label) {

@@ -33,7 +33,7 @@ public:
   ~AnalysisWorker();
 
   /// As in AnalysisSession, asynchronous. These change the model:
-  void add(const std::string& label);
+  void add(const std::vector<std::string>& labels);
   void drop(const std::string& label);
   void goTo(std::size_t number);
   void defineEffect(const nlohmann::json& effect);

@@ -51,7 +51,7 @@ struct Figures {
   AliasMatrix aliases;                 // first candidates of the ranking, in the model as given
   std::vector<DriverSeries> recorded;  // drivers that joint deflections may depend on
   Left given, last;                    // model as given; model with all suggestions (empty if there are none)
-  std::vector<PartialResidual> causes; // of each suggestion, or of the unnamed curve, where there is one
+  std::vector<PartialResidual> causes; // of each suggestion, of the unnamed curve, or of what is negligible
 };
 
 /// Upper limit of points per figure in a diagnosis file: the resolution of a plot about 500 pixels wide.

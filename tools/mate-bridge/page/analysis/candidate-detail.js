@@ -24,7 +24,7 @@ export function candidateDetail(candidate, diagnosis) {
   }
   if (candidate.equivalent.length) facts.push(["alias of", candidate.equivalent.join(", ") + ": these captures cannot tell them apart"]);
   parts.push(element("dl", {class: "facts"}, ...facts.flatMap(([term, words]) => [element("dt", {}, term), element("dd", {}, words)])));
-  if (isTested) parts.push(element("p", {}, button("Add " + candidate.label, () => act({do: "add", label: candidate.label}), {class: "main"})));
+  if (isTested) parts.push(element("p", {}, button("Add " + candidate.label, () => act({do: "add", labels: [candidate.label]}), {class: "main"})));
   for (const {title, ofCandidate} of views) {
     const shown = ofCandidate?.(candidate, diagnosis, {});
     if (shown) parts.push(element("h3", {}, title), ...shown.filter(part => part !== null));

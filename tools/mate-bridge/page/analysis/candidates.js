@@ -38,7 +38,7 @@ function table(chosen, candidates, looked, again) {
     "found by refitting for the best ones, predicted for the others", cell: one => [...columns.heldOut.cell(one, most),
     one.state === "no-data" || one.setUp ? null : element("div", {class: "soft"}, "χ² falls by " + short(one.realDrop ?? one.predictedDrop))]};
   const add = {title: "", cell: ({label, state: found, setUp}) => [found === "no-data" ? null
-    : button(setUp ? "Mend" : "Add", () => act({do: "add", label}), {class: "add small", "aria-label": (setUp ? "mend " : "add ") + label})]};
+    : button(setUp ? "Mend" : "Add", () => act({do: "add", labels: [label]}), {class: "add small", "aria-label": (setUp ? "mend " : "add ") + label})]};
   return element("div", {},
     candidateTable(shown.all ? chosen : chosen.slice(0, shownFirst), [effect, columns.evidence, columns.size, gain, add], {most, rowOf: one => ({
       class: one === looked ? "is-looked" : "",

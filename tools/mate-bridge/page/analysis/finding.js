@@ -25,12 +25,14 @@ export function finding(heading) {
 
 /** Buttons that mend a set-up, or else add what is suggested. */
 function actions({suggested, own, curves, candidates, tentative}) {
-  const setUps = candidates.filter(({setUp}) => setUp), labels = own ? suggested.slice(0, -1) : suggested, add = label => act({do: "add", label});
-  const buttons = setUps.length ? setUps.map(({label}) => button("Mend " + label, () => add(label), {class: "main"})) : [
-    ...tentative ? [button("Suggest poses", () => { location.hash = "next"; }, {class: "main"})] : [],
-    ...labels.length > 1 ? [button("Add all " + labels.length, () => labels.forEach(add), {class: "main"})] : [],
-    ...labels.map(label => button("Add " + label, () => add(label), {class: labels.length > 1 || tentative ? "" : "main"})),
-    ...own && curves[0]?.model ? [button("Add it as a custom effect", () => act({do: "define", effect: curves[0].model.define[0]}), {class: "main"})] : [],
+  const setUps = candidates.filter(({setUp}) => setUp).map(({label}) => label), isMended = setUps.length > 0;
+  const labels = isMended ? setUps : own ? suggested.slice(0, -1) : suggested, verb = isMended ? "Mend " : "Add ", waits = tentative && !isMended;
+  const add = (...labels) => act({do: "add", labels});
+  const buttons = [
+    ...waits ? [button("Suggest poses", () => { location.hash = "next"; }, {class: "main"})] : [],
+    ...labels.length > 1 ? [button(verb + "all " + labels.length, () => add(...labels), {class: "main"})] : [],
+    ...labels.map(label => button(verb + label, () => add(label), {class: labels.length > 1 || waits ? "" : "main"})),
+    ...!isMended && own && curves[0]?.model ? [button("Add it as a custom effect", () => act({do: "define", effect: curves[0].model.define[0]}), {class: "main"})] : [],
   ];
   return buttons.length ? element("p", {class: "controls"}, ...buttons) : null;
 }
@@ -44,5 +46,5 @@ export function causePlots(choose) {
   if (!diagnosis?.causes.length) return null;
   const {causes} = diagnosis, {capturesName} = captureNames(diagnosis);
   const show = label => partialResiduals(causes.find(cause => cause.label === label) ?? causes[0], {nameOf: capturesName, open: index => choose(captureAt(index))});
-  return element("div", {class: "cause"}, choosing("cause", "Cause", causes.map(({label}) => ({value: label, text: label})), show), element("p", {class: "soft"}, partialWords));
+  return element("div", {class: "cause"}, diagnosis.verdict === "adequate" ? element("h2", {}, "Certain, but too small to matter") : null, choosing("cause", "Cause", causes.map(({label}) => ({value: label, text: label})), show), element("p", {class: "soft"}, partialWords));
 }

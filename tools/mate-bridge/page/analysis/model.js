@@ -59,7 +59,7 @@ function modelOf(fit) {
   parts.push(folded);
   if (fit.without.length) {
     parts.push(element("h3", {}, "Taken out"), element("ul", {class: "terms"}, ...fit.without.map(label => element("li", {},
-      element("span", {class: "soft"}, label), button("+", () => act({do: "add", label}),
+      element("span", {class: "soft"}, label), button("+", () => act({do: "add", labels: [label]}),
         {class: "small", "aria-label": "put " + label + " back"})))));
   }
   return element("div", {}, ...parts);

@@ -31,7 +31,7 @@ const steps = [
   {title: "A candidate", view: "learn", target: ".candidates tbody tr:first-child", words: () => label()
     ? ["All candidates with their evidence. The best is ", bold(label()), ": beside it are its size, and the error it would leave."]
     : ["Every known effect is being tested at every place …"]},
-  {title: "Add it", view: "learn", target: ".candidates tbody tr:first-child", next: "Add it for me", isDone: isAdded, go: () => { if (label()) act({do: "add", label: label()}); },
+  {title: "Add it", view: "learn", target: ".candidates tbody tr:first-child", next: "Add it for me", isDone: isAdded, go: () => { if (label()) act({do: "add", labels: [label()]}); },
     words: () => ["Press ", bold("Add"), " in its row. The model is fitted again with it, in about a second. Undo takes it back at any time."]},
   {title: "The error falls", view: "learn", target: ".ladder, .strip", next: "Finish", words: () => {
     const {before, after, floor} = errors();

@@ -103,7 +103,7 @@ void ExploreLoop::change(const std::function<void(Session&)>& change) {
 }
 
 void ExploreLoop::add(const std::string& label) {
-  change([&](Session& session) { session.add(label, [this] { return terms(); }); });
+  change([&](Session& session) { session.add({label}, [this] { return terms(); }); });
 }
 
 void ExploreLoop::drop(const std::string& label) {

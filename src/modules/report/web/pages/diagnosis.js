@@ -36,6 +36,7 @@ at("scaled").hidden = data.unit === "px";
 at("overCandidates").hidden = at("overUntested").hidden = !data.candidates.length;
 if (data.steps.length) at("ladder").append(errorLadder(data.steps.map(step => ({...step, name: nameOf(step)})), {floorName: data.floorName, unit: data.unit}), command());
 at("overCauses").hidden = !data.causes.length;
+if (data.verdict === "adequate") at("causesTitle").textContent = "Certain, but too small to matter";
 const {capturesName} = captureNames(data);
 at("causes").append(element("p", {}, partialWords), ...data.causes.map(cause => partialResiduals(cause, {nameOf: capturesName})));
 showCandidates(data.candidates);
