@@ -100,10 +100,11 @@ TEST_CASE("a table's readings that are none are left out, and named by their row
   const TableImport import = importTable(table, guessColumns(table, scene.robot).map, scene, ".");
   CHECK(import.imported.set.captures.size() == 56);
   const std::vector<std::string> told = summarize(import);
-  REQUIRE(told.size() == 5);
+  REQUIRE(told.size() == 6);
   CHECK(told[2].starts_with("marker hand was taken to be on link "));
+  CHECK(told[3].starts_with("no column gives the time"));
   CHECK(told[1] == "1 rows passed over: no picture, no measured position (row 30)");
-  CHECK(told[3].starts_with("2 of 59 readings of hand by tracker are exactly 0, 0, 0"));
-  CHECK(told[3].ends_with("left out: rows 7, 25"));
-  CHECK(told[4].ends_with("left out: row 41"));
+  CHECK(told[4].starts_with("2 of 59 readings of hand by tracker are exactly 0, 0, 0"));
+  CHECK(told[4].ends_with("left out: rows 7, 25"));
+  CHECK(told[5].ends_with("left out: row 41"));
 }

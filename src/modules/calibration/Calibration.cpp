@@ -169,13 +169,6 @@ Fit fitAtFullWeight(const Measurements& used, const Model& model, const NoiseCon
   return answer.explained && answer.explained->lacksMoreThanScatter() ? refitWithMisfitNoise(used, model, fit) : fit;
 }
 
-/// The model with priors widened where the fit requires it (`widenPriors` in calibration/ModelUncertainty.hpp).
-std::optional<Model> widenPriors(const Model& model, const Fit& fit) {
-  const Eigen::MatrixXd& hessian = fit.minimum.linear.hessian;
-  const Eigen::MatrixXd covariance = hessian.ldlt().solve(Eigen::MatrixXd::Identity(hessian.rows(), hessian.cols()));
-  return widenPriors(model, fit.minimum.state.unknowns, covariance.diagonal());
-}
-
 /// Explanations that are worth naming, likeliest first.
 std::vector<Explanation> nameExplanations(std::vector<Explanation> explanations) {
   constexpr double worthNaming = 0.01;

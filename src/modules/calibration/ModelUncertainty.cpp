@@ -163,13 +163,14 @@ public:
       return false;
     }
     const Model along = withWeighingOffsets(measurements_, base_, effects);
-    const Model larger = with(along, effects);
+    Model larger = with(along, effects);
     Fit from{Noise{.encoder = -1}, explained.largerFit.loss, {}, explained.largerFit.restartsChanged};
     from.minimum.state.unknowns = startOf(larger, own, along, wide, likeliest, effects);
     const Noise& noise = explained.levels.noise;
     try {
-      from =
-          refineNearly(larger, noise, refit(measurements_, larger, noise, from.loss, std::move(from), coarseTolerance));
+      from = refit(measurements_, larger, noise, from.loss, std::move(from), coarseTolerance);
+      larger = widenPriors(larger, from).value_or(larger);
+      from = refineNearly(larger, noise, std::move(from));
     } catch (const InputError&) {
       return false;
     }
@@ -264,6 +265,12 @@ std::optional<Model> widenPriors(const Model& model, const Eigen::VectorXd& unkn
     result.add(std::move(term));
   }
   return widened ? std::optional{std::move(result)} : std::nullopt;
+}
+
+std::optional<Model> widenPriors(const Model& model, const Fit& fit) {
+  const Eigen::MatrixXd& hessian = fit.minimum.linear.hessian;
+  const Eigen::MatrixXd covariance = hessian.ldlt().solve(Eigen::MatrixXd::Identity(hessian.rows(), hessian.cols()));
+  return widenPriors(model, fit.minimum.state.unknowns, covariance.diagonal());
 }
 
 MissingEffectAnalysis analyseMissingEffects(const Measurements& measurements, const Model& model, const Fit& fit,

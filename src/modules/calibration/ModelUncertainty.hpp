@@ -20,6 +20,9 @@ namespace naocal {
 /// included.
 std::optional<Model> widenPriors(const Model& model, const Eigen::VectorXd& unknowns, const Eigen::VectorXd& variances);
 
+/// As above, at a fit of the model.
+std::optional<Model> widenPriors(const Model& model, const Fit& fit);
+
 /// The analysis of missing effects for a fitted model.
 struct MissingEffectAnalysis {
   NoiseLevels levels;        // estimated under the widest model

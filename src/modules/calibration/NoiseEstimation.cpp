@@ -10,6 +10,8 @@ namespace naocal {
 
 namespace {
 
+constexpr double finestCorner = 0.002; // [px]: corners are rounded, and no model of a camera is finer
+
 /// Sum of squares of `residual` (u0, v0, u1, ...) after fitting the motion in `rows`, and its degrees of freedom.
 struct Scatter {
   double squares = 0, freedom = 0;
@@ -22,7 +24,7 @@ struct Scatter {
     freedom += static_cast<double>(residual.size() - rows.cols());
   }
   std::optional<double> level() const {
-    return freedom > 20 ? std::optional{std::sqrt(squares / freedom)} : std::nullopt;
+    return freedom > 20 ? std::optional{std::max(finestCorner, std::sqrt(squares / freedom))} : std::nullopt;
   }
 };
 
@@ -118,8 +120,7 @@ std::optional<PixelNoise> estimatePixelNoiseFromRepeats(const Measurements& meas
   }
   const double anew2 = sums.within / sums.withinFreedom, repeats = sums.repeats / sums.cells;
   const double alike2 = rested ? (sums.between / sums.betweenFreedom - anew2) / repeats : 0;
-  constexpr double finest = 0.002; // [px]: rounding of coordinates
-  return PixelNoise{std::max(finest, std::sqrt(anew2)),
+  return PixelNoise{std::max(finestCorner, std::sqrt(anew2)),
                     std::clamp(std::sqrt(std::max(0.0, alike2)), 0.0, PixelNoise::mostAlike)};
 }
 

@@ -47,12 +47,13 @@ std::optional<LikelyCurve> findLikeliestCurve(const CandidateTests& candidateTes
   return LikelyCurve{curve, candidateTests.curveEvidence(curve).bayes - price};
 }
 
-/// Whether a curve of the map explains the misfit better than named effects: likelier than the likeliest together,
-/// whose evidence is `together`, and clearly better than these and than any alone; transient effects, which do not
-/// predict, count against curves over time and temperature, which do not either. The required lead grows with their
+/// Whether a curve of the map explains the misfit better than named effects: likelier than the likeliest together, and
+/// clearly better than these and than any alone, those aside that the selection refutes; transient effects, which do
+/// not predict, count against curves over time and temperature, which do not either. The required lead grows with their
 /// evidence: a free curve mimics more effects than an explanation may have, which are then named one by one. `isNamed`:
 /// whether any can be named.
-bool isUnknown(const CandidateTests& candidateTests, bool isNamed, double together) {
+bool isUnknown(const CandidateTests& candidateTests, bool isNamed, const StepwiseSelection& selection) {
+  const double together = selection.namedEvidence();
   const std::optional<LikelyCurve> likeliest = findLikeliestCurve(candidateTests);
   if (!likeliest || !candidateTests.curveEvidence(likeliest->curve).matters() || likeliest->evidence <= together) {
     return false;
@@ -61,9 +62,9 @@ bool isUnknown(const CandidateTests& candidateTests, bool isNamed, double togeth
   const Driver over = candidateTests.map().drivers[candidateTests.curveBasis(likeliest->curve).driver].kind;
   double named = isNamed ? together : -threshold::unnamed;
   for (std::size_t i = 0; i < candidateTests.candidates().size(); ++i) {
-    named = !isTransient(over) && isTransient(candidateTests.candidates()[i].effect)
-                ? named
-                : std::max(named, candidateTests.candidateEvidence(i).bayes);
+    const bool counts =
+        !selection.refuted().contains(i) && (isTransient(over) || !isTransient(candidateTests.candidates()[i].effect));
+    named = counts ? std::max(named, candidateTests.candidateEvidence(i).bayes) : named;
   }
   return curve > 0 && curve - named > std::max(threshold::unnamed, named * named / threshold::unnamedGrowth);
 }
@@ -198,6 +199,7 @@ public:
     }
     addDisplacedBoards();
     reachVerdict();
+    pictureNegligible();
     result_.sentence = summarize(result_);
     return std::move(result_);
   }
@@ -236,7 +238,7 @@ private:
     last_.alarm = (last_.striking || last_.field) && result_.anomalies.empty();
     if (last_.alarm) {
       last_.next = selection_.chooseNext(tests);
-      last_.unknownCurve = isUnknown(tests, last_.next.has_value(), selection_.namedEvidence());
+      last_.unknownCurve = isUnknown(tests, last_.next.has_value(), selection_);
       last_.unknownField = last_.field && !explains(tests, last_.candidate(), *last_.field) &&
                            selection_.fieldPersists(*last_.field, tests);
     }
@@ -302,15 +304,16 @@ private:
     result_.notes = describeAssumptions(measurements_, named);
   }
 
-  /// Whether what is suggested may be the best of many candidates by chance: its evidence does not pay for their number
-  /// (K candidates: 2 ln K), and unseen poses are predicted no better.
+  /// Whether what is suggested may be the best of many candidates by chance: its evidence hardly pays for their number
+  /// (K candidates: 2 ln K, and odds of 20 to 1 beyond), and unseen poses are predicted hardly better.
   bool isTentative() const {
+    constexpr double clearly = 0.95; // ratio of held-out errors
     const std::optional<double>&before = result_.steps.front().heldOutPx, &after = result_.steps.back().heldOutPx;
     if (result_.verdict != Verdict::effectMissing || result_.suggested.empty() || !before || !after ||
-        *after < *before) {
+        *after < clearly * *before) {
       return false;
     }
-    const double price = 2 * std::log(static_cast<double>(firstTests_->candidates().size()));
+    const double price = 2 * std::log(static_cast<double>(firstTests_->candidates().size())) + threshold::equallyLikely;
     return std::all_of(result_.ranking.begin(), result_.ranking.end(), [&](const CandidateFinding& finding) {
       const auto& suggested = result_.suggested;
       return std::find(suggested.begin(), suggested.end(), finding.term.label()) == suggested.end() ||
@@ -335,6 +338,23 @@ private:
       result_.anomalies.push_back({{}, *still});
       result_.hasStillJoints = true;
       result_.verdict = Verdict::badCaptures;
+    }
+  }
+
+  /// Where an effect is certain, but too small to matter, its picture shows how small.
+  void pictureNegligible() {
+    const CandidateFinding* const found = result_.verdict == Verdict::adequate ? findNegligible(result_) : nullptr;
+    if (found == nullptr) {
+      return;
+    }
+    const Model larger = selection_.addTerm(found->term);
+    try {
+      if (const Term* const effect = larger.find(found->term.label())) {
+        const CalibrationResult fit = selection_.fitLarger(larger);
+        addNegligibleCause({measurements_, larger, fit}, *effect, result_);
+      }
+    } catch (const InputError&) { // no fit with it: no picture
+      return;
     }
   }
 

@@ -44,6 +44,7 @@ enum class CandidateState {
 struct CandidateFinding {
   Term term;
   CandidateState state = CandidateState::inconclusive;
+  bool predicts = true;                  // the last captures from those before, where it depends on time or warmth
   std::string why;                       // reason for `noData`: "no temperatures were recorded"
   GroupEvidence evidence;                // strongest evidence, against the model as given or after later additions
   GroupEvidence alone;                   // evidence against the model as given

@@ -73,6 +73,11 @@ std::string formatMissing(const Diagnosis& diagnosis) {
 /// Sentence for an alarm whose best candidate is not likely enough to add.
 std::string formatHardlyLikely(const Diagnosis& diagnosis) {
   const CandidateFinding& first = diagnosis.ranking.front();
+  if (!first.predicts) {
+    return fmt::format("Something changes over time, but not steadily, and no effect in the catalogue does so: {} ({}) "
+                       "is closest, and fails to predict the last captures.",
+                       first.term.label(), formatSizes(first));
+  }
   return fmt::format(
       "Something may be missing (chance that noise alone looks this convincing: {}). The likeliest cause "
       "is {} ({}), but the evidence is too weak to add it: take more poses.",
@@ -82,12 +87,10 @@ std::string formatHardlyLikely(const Diagnosis& diagnosis) {
 /// Sentence for an effect beyond chance that hardly changes the predictions; empty without one. The alarm's small
 /// probability alone would contradict the verdict.
 std::string formatTrivial(const Diagnosis& diagnosis) {
-  if (diagnosis.alarm > threshold::alarm || diagnosis.ranking.empty() ||
-      diagnosis.ranking.front().state != CandidateState::trivial) {
-    return {};
-  }
-  const CandidateFinding& first = diagnosis.ranking.front();
-  return " " + formatNegligible({first.term.label(), formatSizes(first), first.evidence.movedPx}, diagnosis.unit);
+  const CandidateFinding* const found = findNegligible(diagnosis);
+  return found ? " " + formatNegligible({found->term.label(), formatSizes(*found), found->evidence.movedPx},
+                                        diagnosis.unit)
+               : "";
 }
 
 /// Why the result of a model that explains the captures must not be used all the same: what they do not tell.
@@ -224,14 +227,23 @@ std::string describeState(CandidateState state) {
   return {};
 }
 
+const CandidateFinding* findNegligible(const Diagnosis& diagnosis) {
+  const bool isThere = diagnosis.alarm <= threshold::alarm && !diagnosis.ranking.empty() &&
+                       diagnosis.ranking.front().state == CandidateState::trivial;
+  return isThere ? &diagnosis.ranking.front() : nullptr;
+}
+
 CandidateState shownState(const CandidateFinding& finding, const Diagnosis& diagnosis) {
   const auto isPresent = [](const CandidateFinding& one) { return one.state == CandidateState::present; };
   const bool areSeveral =
       diagnosis.steps.size() == 1 && std::count_if(diagnosis.ranking.begin(), diagnosis.ranking.end(), isPresent) > 1;
-  return !isPresent(finding)     ? finding.state
-         : diagnosis.isTentative ? CandidateState::inconclusive
-         : areSeveral            ? CandidateState::aliased
-                                 : CandidateState::present;
+  const bool isUnknown = diagnosis.verdict == Verdict::unknownEffect &&
+                         std::find(diagnosis.suggested.begin(), diagnosis.suggested.end(), finding.term.label()) ==
+                             diagnosis.suggested.end();
+  return !isPresent(finding)                  ? finding.state
+         : diagnosis.isTentative || isUnknown ? CandidateState::inconclusive
+         : areSeveral                         ? CandidateState::aliased
+                                              : CandidateState::present;
 }
 
 std::vector<std::string> mendableSetUps(const Diagnosis& diagnosis) {

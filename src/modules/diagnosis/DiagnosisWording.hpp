@@ -15,8 +15,12 @@ std::string toString(CandidateState state);
 std::string describeState(CandidateState state);
 
 /// The state to show. Candidates of a diagnosis that added nothing were tested one by one: if several explain the
-/// misfit, none is needed for certain, and each could explain it.
+/// misfit, none is needed for certain, and each could explain it. Beside an unknown effect, what is not suggested is
+/// undecided.
 CandidateState shownState(const CandidateFinding& finding, const Diagnosis& diagnosis);
+
+/// The likeliest effect, if it is beyond chance but hardly changes the predictions; null without one.
+const CandidateFinding* findNegligible(const Diagnosis& diagnosis);
 
 /// Labels of the mistakes of the set-up that it found.
 std::vector<std::string> mendableSetUps(const Diagnosis& diagnosis);

@@ -133,16 +133,16 @@ void StepwiseSelection::recordStep(const CandidateTests& candidateTests, Diagnos
   appendStep(candidateTests, held, diagnosis);
 }
 
-std::vector<LikelyEffects> StepwiseSelection::listPredicting(const CandidateTests& candidateTests) const {
-  std::set<std::size_t> excluded;
+std::vector<LikelyEffects> StepwiseSelection::listPredicting(const CandidateTests& candidateTests) {
+  refuted_.clear();
   while (true) {
-    std::vector<LikelyEffects> likely = listLikelyEffects(candidateTests.measured(), excluded);
-    const std::size_t before = excluded.size();
+    std::vector<LikelyEffects> likely = listLikelyEffects(candidateTests.measured(), refuted_);
+    const std::size_t before = refuted_.size();
     if (!likely.empty()) {
-      std::copy_if(likely.front().groups.begin(), likely.front().groups.end(), std::inserter(excluded, excluded.end()),
+      std::copy_if(likely.front().groups.begin(), likely.front().groups.end(), std::inserter(refuted_, refuted_.end()),
                    [&](std::size_t candidate) { return !predictsFurtherPoses(candidateTests, candidate); });
     }
-    if (excluded.size() == before) {
+    if (refuted_.size() == before) {
       return likely;
     }
   }
@@ -151,6 +151,9 @@ std::vector<LikelyEffects> StepwiseSelection::listPredicting(const CandidateTest
 void StepwiseSelection::findProposals(const CandidateTests& candidateTests) {
   constexpr std::size_t most = 4;
   const std::vector<LikelyEffects> likely = listPredicting(candidateTests);
+  for (std::size_t i = 0; i < candidateTests.candidates().size(); ++i) {
+    findingOf(candidateTests.candidates()[i]).predicts = !refuted_.contains(i);
+  }
   namedEvidence_ = likely.empty() ? 0 : likely.front().evidence;
   std::vector<std::vector<std::size_t>> all =
       isFirst() ? listExplanations(candidateTests) : std::vector<std::vector<std::size_t>>{};
@@ -158,6 +161,12 @@ void StepwiseSelection::findProposals(const CandidateTests& candidateTests) {
     std::transform(likely.begin(), likely.end(), std::back_inserter(all), std::mem_fn(&LikelyEffects::groups));
   }
   proposals_.clear();
+  const double price = 2 * std::log(std::max<double>(1, static_cast<double>(candidateTests.candidates().size())));
+  if (std::any_of(refuted_.begin(), refuted_.end(), [&](std::size_t candidate) {
+        return candidateTests.candidateEvidence(candidate).bayes - price > namedEvidence_ + threshold::veryStrong;
+      })) {
+    return; // the captures differ over time as no effect says: what explains less is not the cause
+  }
   for (std::vector<std::size_t>& effects : all) {
     std::erase_if(effects, [&](std::size_t candidate) { return !predictsFurtherPoses(candidateTests, candidate); });
     const bool isListed = std::find(proposals_.begin(), proposals_.end(), effects) != proposals_.end();
@@ -172,9 +181,12 @@ std::vector<std::vector<std::size_t>> StepwiseSelection::listExplanations(const 
   for (const Explanation& explanation : first_.result.explanations) {
     std::vector<std::size_t> effects;
     for (const std::string& label : explanation.effects) {
-      if (const auto candidate = candidateTests.findCandidate(label)) { // else a curve
+      if (const auto candidate = candidateTests.findCandidate(label)) {
         effects.push_back(*candidate);
       }
+    }
+    if (effects.size() < explanation.effects.size()) { // beside a curve, which has no name
+      break;
     }
     if (!effects.empty()) {
       std::sort(effects.begin(), effects.end());

@@ -8,6 +8,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,8 @@ public:
   /// Evidence of the likeliest explanation by named effects that predict, at the last recorded step; 0 if none is
   /// likely.
   double namedEvidence() const { return namedEvidence_; }
+  /// Transient effects of likely explanations that do not predict, at the last recorded step.
+  const std::set<std::size_t>& refuted() const { return refuted_; }
   /// Next effect to add: the most evident of the likeliest explanation that lowers the held-out error and, refitted,
   /// the cost; transient effects must also predict the last poses and beat every step over time. Absent if none does.
   std::optional<Choice> chooseNext(const CandidateTests& candidateTests);
@@ -50,6 +53,8 @@ public:
   bool add(const CandidateTests& candidateTests, const Choice& choice, Diagnosis& diagnosis);
   /// Whether a field within pictures keeps at least half of its evidence, whichever of the likeliest effects is added.
   bool fieldPersists(const ImageField& field, const CandidateTests& candidateTests) const;
+  /// The model with one more effect; without it if the user excluded it.
+  Model addTerm(const Term& term) const;
   /// Fits a model that contains this one's unknowns, starting from them.
   CalibrationResult fitLarger(const Model& larger) const;
   /// Findings on each candidate.
@@ -64,7 +69,7 @@ private:
   void appendStep(const CandidateTests& candidateTests, const std::optional<CrossValidation>& held,
                   Diagnosis& diagnosis);
   /// Likely explanations by named effects (`listLikelyEffects`), the likeliest without any that do not predict.
-  std::vector<LikelyEffects> listPredicting(const CandidateTests& candidateTests) const;
+  std::vector<LikelyEffects> listPredicting(const CandidateTests& candidateTests);
   /// Finds effects that explain together: the first few explanations, likeliest first, without transient effects that
   /// do not predict.
   void findProposals(const CandidateTests& candidateTests);
@@ -82,8 +87,6 @@ private:
   void unmarkEquivalent(const std::string& one, const std::string& other);
   /// Refits with the added effects, from `start` or from the present unknowns.
   void refit(const std::optional<Eigen::VectorXd>& start = {});
-  /// The model with one more effect.
-  Model addTerm(const Term& term) const;
   /// The model with a candidate, its priors widened to the estimated size.
   Model addSizedTerm(const CandidateTests& candidateTests, std::size_t candidate) const;
   /// Drops earlier additions that the last one made superfluous.
@@ -110,6 +113,7 @@ private:
   Model model_;
   std::vector<std::vector<std::size_t>> proposals_; // of the last recorded step, that lower the held-out error
   double namedEvidence_ = 0;
+  std::set<std::size_t> refuted_;
   CalibrationResult fit_;
   std::vector<CandidateFinding> findings_; // one per candidate
 };

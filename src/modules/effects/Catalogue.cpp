@@ -12,7 +12,7 @@ const std::vector<Effect>& allEffects() {
                                        cameraRotation(), cameraTranslation(), focalLength(),
                                        principalPoint(), radialDistortion(),  tangentialDistortion(),
                                        rollingShutter(), boardScale(),        boardBow(),
-                                       boardTilt(),      trackerScale()};
+                                       boardTilt(),      trackerScale(),      trackerDrift()};
   return all;
 }
 

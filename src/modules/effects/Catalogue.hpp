@@ -60,6 +60,7 @@ Effect boardScale();
 Effect boardBow();
 Effect boardTilt();
 Effect trackerScale();
+Effect trackerDrift();
 
 /// All effects in causal order: encoders, gears, links, soles, IMU, mounts, lenses, boards, trackers.
 const std::vector<Effect>& allEffects();

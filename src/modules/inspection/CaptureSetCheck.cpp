@@ -298,7 +298,9 @@ void addCounts(Check& check, std::size_t poses) {
   const bool hasRepeats = std::any_of(set.captures.begin(), set.captures.end(), [&](const Capture& capture) {
     return !taken.insert({capture.pose, capture.camera}).second;
   });
-  if (!set.captures.empty() && !hasRepeats) {
+  const bool hasPictures = std::any_of(set.captures.begin(), set.captures.end(),
+                                       [](const Capture& capture) { return !capture.camera.empty(); });
+  if (hasPictures && !hasRepeats) {
     check.add(
         Severity::remark, "no-repeats", "captures",
         "no pose was pictured twice by a camera, so that nothing in the captures proves the noise; take two of each");

@@ -33,6 +33,9 @@ inline std::pair<std::string, double> displayUnit(const std::string& unit) {
   if (unit == "m") {
     return {"mm", 1000};
   }
+  if (unit == "m/s") {
+    return {"mm/s", 1000};
+  }
   return {unit == "1" ? "" : unit, 1};
 }
 

@@ -139,7 +139,8 @@ TEST_CASE("a dropped table and its URDF are shown with the guessed columns, and 
     CHECK(written.set.filename() == "log");
     CHECK(written.sentences ==
           std::vector<std::string>{"2 rows, 2 captures",
-                                   "marker hand was taken to be on link eye, the last that the joints move"});
+                                   "marker hand was taken to be on link eye, the last that the joints move",
+                                   "no column gives the time: each row counts as one second, and rates are per row"});
     const CaptureSet set = readCaptureSet(written.set.string()).set;
     CHECK(set.captures.at(1).joints.measured.at(2) == Approx(0.0002));
     CHECK(set.captures.at(1).time == Seconds{1}); // the number of the row
@@ -261,7 +262,8 @@ TEST_CASE("a page that drops a table is told of it, and the imported set is open
   CHECK(desk.next() == Json{{"kind", "import"},
                             {"table", nullptr},
                             {"sentence", "2 rows, 2 captures; marker hand was taken to be on link eye, the "
-                                         "last that the joints move"}});
+                                         "last that the joints move; no column gives the time: each row counts as one "
+                                         "second, and rates are per row"}});
   REQUIRE(desk.opened.size() == 2);
   CHECK(std::filesystem::exists(desk.opened[1] + "/captures.json"));
   CHECK(Json::parse(desk.page.message())["recent"].empty());

@@ -289,7 +289,10 @@ void judgeResult(const Measurements& measurements, const Model& model, Calibrati
   // reports a missing effect before what is not learned: it implies that the offsets are uncertain
   const std::string cause = formatCause(result, missing);
   const bool isFirm = !result.usable && (isCertain || !missing);
-  result.sentence = formatVerdict(result, cause, isFirm ? result.reasons.front() : "");
+  const bool isExplained = isCertain && missing && result.misfitLeft < threshold::bearableMisfit;
+  result.sentence = formatVerdict(
+      result, cause,
+      isFirm ? fmt::format("{}{}{}", result.reasons.front(), isExplained ? "; " : "", isExplained ? cause : "") : "");
   result.usable = result.verdict != ResultVerdict::doNotUse;
   if (!result.usable && !isFirm) {
     result.reasons.insert(result.reasons.begin(), formatUnexplained(result, cause));

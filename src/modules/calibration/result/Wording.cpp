@@ -99,7 +99,7 @@ std::string describeUnknown(const Term& term, std::size_t unknown) {
     return fmt::format("the {} sole's {}{}", term.placeName, splitCamelCase(term.effect.name.substr(says ? 4 : 0)),
                        which);
   }
-  if (term.effect.placeKind == PlaceKind::tracker) { // trackerScale
+  if (term.effect.placeKind == PlaceKind::tracker) { // trackerScale, trackerDrift
     const bool says = term.effect.name.starts_with("tracker");
     return fmt::format("tracker {}'s {}{}", term.placeName, splitCamelCase(term.effect.name.substr(says ? 7 : 0)),
                        which);

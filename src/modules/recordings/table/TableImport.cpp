@@ -71,6 +71,9 @@ public:
     result.imported = beginImport(scene_, names);
     result.imported.files["columns.json"] = columnMapJson(map_).dump(2) + "\n";
     addInstruments(result);
+    if (!map_.time) {
+      result.guessed.emplace_back("no column gives the time: each row counts as one second, and rates are per row");
+    }
     for (std::size_t row = 0; row < table_.rows(); ++row) {
       Capture capture = readCapture(row, result.imported);
       if (capture.image.empty() && capture.points.empty() && capture.frames.empty()) {

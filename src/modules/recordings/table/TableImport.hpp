@@ -14,7 +14,7 @@ struct TableImport {
   std::size_t rows = 0;
   std::size_t withoutMeasurement = 0;       // rows that were passed over: no picture, no position
   std::vector<std::size_t> passedOver = {}; // these rows
-  std::vector<std::string> guessed = {};    // links that carry what the column map names no link for, a sentence each
+  std::vector<std::string> guessed = {};    // what the column map does not say: links, times; a sentence each
   std::vector<std::string> failed = {};     // readings that are none (`findFailedReadings`), a sentence each
 };
 
