@@ -98,6 +98,27 @@ TEST_CASE("beside a likelier curve only what the captures need is named", "[slow
   }
 }
 
+TEST_CASE("an effect that is certain, but too small to matter, has its picture", "[slow]") {
+  // Proves that the sentence and the picture are of the same effect, and that adding it is not suggested.
+  const TemporaryFolder folder;
+  Recording coupled = makeArmTwin(folder, "many", R"(
+    "trackers": {"laser": {"sigma": 0.0003, "about": {"x": 2, "y": 0.3, "z": 1, "yaw": 3}}},
+    "frames": [{"id": "tool", "link": "hand", "about": {"x": 0.1, "yaw": 0.5, "roll": 0.4}}])",
+                                  {.seed = 6, .poses = 150})
+                          .right;
+  CaptureSet& set = coupled.sets.front();
+  for (Capture& capture : set.captures) {
+    spoiling::reading(set, capture, "elbow") += 0.0003 * spoiling::reading(set, capture, "lift");
+  }
+  const Diagnosis diagnosis = diagnosed(coupled);
+  CAPTURE(diagnosis.sentence);
+  REQUIRE(diagnosis.verdict == Verdict::adequate);
+  CHECK(diagnosis.suggested.empty());
+  REQUIRE(diagnosis.figures.causes.size() == 1);
+  CHECK(diagnosis.sentence.find(diagnosis.figures.causes.front().label + " is hardly chance") != std::string::npos);
+  CHECK(diagnosis.figures.causes.front().after() < diagnosis.figures.causes.front().before());
+}
+
 TEST_CASE("corners without noise are diagnosed", "[slow]") {
   // Proves that corners from a simulation without noise, which are as exact as their digits, have an answer.
   const TemporaryFolder folder;
