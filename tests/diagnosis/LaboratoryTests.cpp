@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <functional>
 
 /// What arms before a tracker or a board suffer from in laboratories.
 namespace naocal {
@@ -15,17 +16,32 @@ Diagnosis diagnosed(const Recording& recording) {
   return diagnose(buildMeasurements(recording.sets, recording.robot));
 }
 
+/// One marker on the hand before a tracker. `sigma`: what the file says of its noise, such as `"sigma": 0.0003, `.
+Recording markerBeforeTracker(const TemporaryFolder& folder, std::uint64_t seed, const std::string& sigma) {
+  return makeArmTwin(folder, "marker",
+                     R"("trackers": {"vicon": {)" + sigma + R"("about": {"x": 2, "y": 0.3, "z": 1, "yaw": 3}}},
+                        "markers": [{"id": "m", "link": "hand", "about": [0.1, 0.05, 0.02]}])",
+                     {.seed = seed, .poses = 40})
+      .right;
+}
+
+/// Moves what the tracker reads of one capture after another along an axis [m].
+void creep(Recording& recording, Eigen::Index axis, const std::function<double(double)>& shift) {
+  std::vector<Capture>& captures = recording.sets.front().captures;
+  for (std::size_t i = 0; i < captures.size(); ++i) {
+    for (PointReading& reading : captures[i].points) {
+      reading.xyz[axis] += shift(static_cast<double>(i));
+    }
+  }
+}
+
 } // namespace
 
 TEST_CASE("what changes over time, but not steadily, is unknown, and not what explains less", "[slow]") {
   // Proves that an effect over time with evidence, which fails to predict the last captures, is not passed over for the
   // next best: a joint's zero creeps away and comes back.
   const TemporaryFolder folder;
-  Recording creeping = makeArmTwin(folder, "creep", R"(
-    "trackers": {"vicon": {"sigma": 0.0003, "about": {"x": 2, "y": 0.3, "z": 1, "yaw": 3}}},
-    "markers": [{"id": "m", "link": "hand", "about": [0.1, 0.05, 0.02]}])",
-                                   {.seed = 3, .poses = 40})
-                           .right;
+  Recording creeping = markerBeforeTracker(folder, 3, R"("sigma": 0.0003, )");
   CaptureSet& set = creeping.sets.front();
   constexpr double turn = 30;
   for (std::size_t i = 0; i < set.captures.size(); ++i) {
@@ -41,17 +57,8 @@ TEST_CASE("what changes over time, but not steadily, is unknown, and not what ex
 TEST_CASE("a tracker that creeps is named, and its creep is no noise", "[slow]") {
   // Proves that 4 mm in all do not end in the level of readings whose noise nobody tells.
   const TemporaryFolder folder;
-  Recording creeping = makeArmTwin(folder, "creep", R"(
-    "trackers": {"vicon": {"about": {"x": 2, "y": 0.3, "z": 1, "yaw": 3}}},
-    "markers": [{"id": "m", "link": "hand", "about": [0.1, 0.05, 0.02]}])",
-                                   {.seed = 2, .poses = 40})
-                           .right;
-  std::vector<Capture>& captures = creeping.sets.front().captures;
-  for (std::size_t i = 0; i < captures.size(); ++i) {
-    for (PointReading& reading : captures[i].points) {
-      reading.xyz.x() += 0.004 * static_cast<double>(i) / static_cast<double>(captures.size());
-    }
-  }
+  Recording creeping = markerBeforeTracker(folder, 2, "");
+  creep(creeping, 0, [](double capture) { return 0.004 * capture / 40; });
   const Diagnosis diagnosis = diagnosed(creeping);
   CAPTURE(diagnosis.sentence);
   CHECK(diagnosis.suggested == std::vector<std::string>{"trackerDrift@vicon"});
@@ -61,17 +68,8 @@ TEST_CASE("a tracker that creeps is named, and its creep is no noise", "[slow]")
 TEST_CASE("a tracker that creeps and comes back has no name, and the sentence says so", "[slow]") {
   // Proves that an effect that fails to predict the last captures is not called too weak, however large its evidence.
   const TemporaryFolder folder;
-  Recording creeping = makeArmTwin(folder, "creep", R"(
-    "trackers": {"vicon": {"sigma": 0.0003, "about": {"x": 2, "y": 0.3, "z": 1, "yaw": 3}}},
-    "markers": [{"id": "m", "link": "hand", "about": [0.1, 0.05, 0.02]}])",
-                                   {.seed = 2, .poses = 40})
-                           .right;
-  std::vector<Capture>& captures = creeping.sets.front().captures;
-  for (std::size_t i = 0; i < captures.size(); ++i) {
-    for (PointReading& reading : captures[i].points) {
-      reading.xyz.z() += 0.004 * (i < 30 ? static_cast<double>(i) / 30 : 3 - static_cast<double>(i) / 15);
-    }
-  }
+  Recording creeping = markerBeforeTracker(folder, 2, R"("sigma": 0.0003, )");
+  creep(creeping, 2, [](double capture) { return 0.004 * (capture < 30 ? capture / 30 : 3 - capture / 15); });
   const Diagnosis diagnosis = diagnosed(creeping);
   CAPTURE(diagnosis.sentence);
   CHECK(diagnosis.suggested.empty());
