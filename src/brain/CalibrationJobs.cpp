@@ -121,9 +121,10 @@ void CalibrationJobs::solve(bool onlyHead) {
     const CalibrationRecorder::Solution solved = session->session.value().solve();
     const std::vector<EffectiveOffset> offsets = onlyHead ? headOffsets(solved.offsets) : solved.offsets;
     PublishedOutcome outcome = summarizeOutcome(before_, offsets, processedSoFar_.captures);
-    for (const Warning& warning : solved.warnings) { // floor height is known only if legs are calibrated
-      if (warning.about == Warning::About::fit || (warning.about == Warning::About::floor && !onlyHead)) {
-        outcome.warnings.push_back(warning.sentence);
+    for (const Finding& finding : solved.findings) {                // `summarizeOutcome` says what was not learned
+      const bool isOfTask = finding.id == "weak:task" && !onlyHead; // floor height is known only if legs are calibrated
+      if (isOfTask || (finding.kind() != "weak" && finding.kind() != "not-learned")) {
+        outcome.warnings.push_back(finding.sentence);
       }
     }
     outcome.before = snapshotCalibration(context_.configuration);

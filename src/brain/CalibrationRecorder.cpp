@@ -62,12 +62,13 @@ CalibrationRecorder::Solution CalibrationRecorder::solve() const {
     throw InputError{result.sentence + " Nothing was changed."};
   }
   Solution solved{readResult(folder_ / "result.json"), effectiveOffsets({measurements, model, result}),
-                  result.warnings};
+                  furtherThanVerdict(result.findings)};
   if (!leftOut.empty()) {
-    solved.warnings.push_back(
-        {Warning::About::fit,
-         fmt::format("The robot's model names what these captures know nothing of; it was left out: {}.",
-                     fmt::join(leftOut, ", "))});
+    solved.findings.push_back(
+        makeFinding("accident", "model", FindingLevel::note,
+                    fmt::format("The robot's model names what these captures know nothing of; it was left out: {}.",
+                                fmt::join(leftOut, ", ")),
+                    measurements));
   }
   nlohmann::json offsets; // [rad]
   for (const EffectiveOffset& offset : solved.offsets) {

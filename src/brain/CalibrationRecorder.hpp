@@ -32,7 +32,7 @@ public:
   struct Solution {
     StoredResult result; // as read back from its file
     std::vector<EffectiveOffset> offsets;
-    std::vector<Warning> warnings;
+    std::vector<Finding> findings; // of the fit, beside its verdict
   };
   /// Estimates them from the captures; writes result.json and offsets.json beside them. Throws InputError if there is
   /// nothing to fit or the solver does not converge.

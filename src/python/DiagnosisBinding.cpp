@@ -212,6 +212,9 @@ void bindDiagnosis(py::module_& module) {
           "'bad-captures'.")
       .def_property_readonly("sentence", [](const Diagnosed& self) { return self.diagnosis.sentence; })
       .def_property_readonly(
+          "findings", [](const Diagnosed& self) { return toDictionary(toJson(self.diagnosis.findings)); },
+          "Everything to know of it, most serious first: 'findings' of the file.")
+      .def_property_readonly(
           "tentative", [](const Diagnosed& self) { return self.diagnosis.isTentative; },
           "Whether what is suggested may be chance: take more poses before you add it.")
       .def_property_readonly(

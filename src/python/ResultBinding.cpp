@@ -258,7 +258,9 @@ void bindFit(py::class_<Solved, SharedSolved>& result) {
       .def_property_readonly(
           "set_ups", [](const Solved& self) { return labelsOf(self.fit.setUps); },
           "Labels of mistakes of the set-up that explain the misfit, such as 'reversedJoint@elbow'.")
-      .def_property_readonly("warnings", [](const Solved& self) { return toSentences(self.fit.warnings); })
+      .def_property_readonly(
+          "findings", [](const Solved& self) { return toDictionary(toJson(self.fit.findings)); },
+          "Everything to know of it, most serious first: 'findings' of the file.")
       .def_property_readonly(
           "rms_px", [](const Solved& self) { return self.fit.rmsPx; },
           "Distance of the corners from `Sighting.predicted`, rms [px].")

@@ -80,7 +80,7 @@ TEST_CASE("boards on the wrong link are not usable, however well the rest absorb
   CAPTURE(result.sentence, result.rmsPx);
   CHECK(result.verdict == ResultVerdict::doNotUse);
   CHECK_FALSE(result.usable);
-  CHECK(says(result.reasons, "no robot is so wrong"));
+  CHECK(says(reasonsAgainstUse(result.findings), "no robot is so wrong"));
 }
 
 TEST_CASE("a camera and a board on one link tell nothing of the camera") {
@@ -106,7 +106,7 @@ TEST_CASE("a camera and a board on one link tell nothing of the camera") {
       });
   CAPTURE(result.sentence);
   CHECK(result.verdict == ResultVerdict::doNotUse);
-  CHECK(says(result.reasons, "cannot be learned from these captures"));
+  CHECK(says(reasonsAgainstUse(result.findings), "cannot be learned from these captures"));
 }
 
 TEST_CASE("an effect that was asked for and that the captures do not tell is named") {
@@ -115,11 +115,11 @@ TEST_CASE("an effect that was asked for and that the captures do not tell is nam
   const CaptureSet set = simulatedV6(8);
   const CalibrationResult base = solveV6(set);
   CHECK(base.usable);
-  CHECK(base.reasons.empty());
+  CHECK(reasonsAgainstUse(base.findings).empty());
   const CalibrationResult asked = solveV6(set, {"timeOffset@all"});
   CAPTURE(asked.sentence);
   CHECK(asked.verdict == ResultVerdict::doNotUse);
-  CHECK(says(asked.reasons, "timeOffset@all"));
+  CHECK(says(reasonsAgainstUse(asked.findings), "timeOffset@all"));
 }
 
 TEST_CASE("what can only be traded against another effect is no reason against use") {
@@ -143,7 +143,7 @@ TEST_CASE("readings that a tracker never took are not called good") {
   const CalibrationResult many = solveArm({.frames = false, .contacts = false}, strays(4));
   CAPTURE(many.sentence);
   CHECK(many.verdict == ResultVerdict::doNotUse);
-  CHECK(says(many.reasons, "of 60 readings do not fit the rest"));
+  CHECK(says(reasonsAgainstUse(many.findings), "of 60 readings do not fit the rest"));
   const CalibrationResult one = solveArm({.frames = false, .contacts = false}, strays(1000));
   CAPTURE(one.sentence);
   CHECK(one.verdict != ResultVerdict::doNotUse);
@@ -170,11 +170,11 @@ TEST_CASE("an offset of a joint that never moved is not held by what imitates it
   const CalibrationResult still = solveArm({.frames = false, .contacts = false, .motion = {1, 0, 0, 0}}, [](json&) {});
   CAPTURE(still.sentence);
   CHECK(still.verdict == ResultVerdict::doNotUse);
-  CHECK(says(still.reasons, "3 joints never moved: the lift, the slide and the roll;"));
+  CHECK(says(reasonsAgainstUse(still.findings), "3 joints never moved: the lift, the slide and the roll;"));
   const CalibrationResult moving = solveArm({.frames = false, .contacts = false}, [](json&) {});
   CAPTURE(moving.sentence);
   CHECK(moving.usable);
-  CHECK(says({moving.warnings.front().sentence}, "is held at zero"));
+  CHECK(says(sentencesOf(furtherFindings(moving.findings)), "is held at zero"));
 }
 
 TEST_CASE("an effect beyond chance that is too small to matter is named beside a good verdict") {

@@ -122,7 +122,7 @@ TEST_CASE("a calibration names a board that was displaced in one picture, and ho
   const std::string start = "board " + given.displaced.front().board + " lies ",
                     end = " in capture " + std::to_string(given.displaced.front().capture) +
                           " than in all others: left out there";
-  const std::vector<std::string> warnings = toSentences(result.warnings);
+  const std::vector<std::string> warnings = sentencesOf(furtherFindings(result.findings));
   CHECK(std::any_of(warnings.begin(), warnings.end(),
                     [&](const std::string& one) { return one.starts_with(start) && one.ends_with(end); }));
   const Measurements sound = built(simulate(loadRobot(configurationDirectory(), "V6"), planOf(), 31).set);

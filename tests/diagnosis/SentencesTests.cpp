@@ -196,9 +196,10 @@ void addDiagnosisVerdicts(Sentences& all) {
   still.rmsPx = 0.6;
   still.lackOfFit.noiseFloorPx = 0.53;
   still.alarm = 0.42;
-  still.fit.reasons = {"1 joint never moved: elbow; without motion no offset can be learned: add poses that move it, "
-                       "or leave its offset out"};
-  still.fit.warnings = {{Warning::About::offset, still.fit.reasons.front()}};
+  still.fit.findings = {{.id = "not-learned:jointOffset@elbow",
+                         .level = FindingLevel::stop,
+                         .why = "1 joint never moved: elbow; without motion no offset can be learned: add poses that "
+                                "move it, or leave its offset out"}};
   add(", a joint that never moved", still);
 }
 

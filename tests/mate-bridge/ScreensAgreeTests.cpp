@@ -7,6 +7,9 @@
 #include <cstdlib>
 #include <fmt/format.h>
 #include <map>
+#include <set>
+#include <string>
+#include <vector>
 
 namespace naocal {
 namespace {
@@ -58,6 +61,26 @@ bool holds(const std::string& text, const std::string& part) {
   return text.find(part) != text.npos;
 }
 
+/// The findings of a document: the first tells its sentence, the most serious come first, each is said once, and the
+/// terminal prints those after which something is to be done.
+void checkFindings(const Json& document, const std::string& printed) {
+  REQUIRE_FALSE(document["findings"].empty());
+  CHECK(document["findings"][0]["sentence"] == document["sentence"]);
+  const std::vector<std::string> levels{"stop", "act", "note"};
+  std::size_t level = 0;
+  std::set<std::string> ids;
+  for (const Json& finding : document["findings"]) {
+    const auto at =
+        static_cast<std::size_t>(std::find(levels.begin(), levels.end(), finding["level"]) - levels.begin());
+    CAPTURE(finding["id"].get<std::string>());
+    CHECK(at < levels.size());
+    CHECK(at >= level);
+    level = at;
+    CHECK(ids.insert(finding["id"]).second);
+    CHECK((at == 2 || holds(printed, finding["sentence"]) || holds(document["sentence"], finding["why"])));
+  }
+}
+
 void checkResult(const Said& said) {
   const Json &result = said.result, &fit = said.panel.at("fit");
   const std::string sentence = result["sentence"];
@@ -68,6 +91,9 @@ void checkResult(const Said& said) {
   CHECK(holds(said.resultPage, escaped(headline)));
   CHECK(holds(said.resultPage, escaped(rest)));
   CHECK(fit["verdict"] == result["verdict"]);
+  checkFindings(result, said.solved);
+  const std::map<std::string, std::string> verdicts{{"stop", "do-not-use"}, {"act", "cause-missing"}, {"note", "good"}};
+  CHECK(verdicts.at(result["findings"][0]["level"]) == result["verdict"]);
   CHECK(fit["rms"] == result["rmsPx"]);
   CHECK(fit["pValue"] == result["pValue"]);
 }
@@ -79,6 +105,8 @@ void checkDiagnosis(const Said& said) {
   for (const char* const key : {"verdict", "sentence", "suggested"}) {
     CHECK(panel[key] == diagnosis[key]);
   }
+  checkFindings(diagnosis, said.diagnosed);
+  CHECK((diagnosis["findings"][0]["id"] == "good") == (diagnosis["findings"][0]["level"] == "note"));
   if (diagnosis["verdict"] == "effect-missing") { // Compare's first picture is of the cause
     REQUIRE_FALSE(panel["causes"].empty());
     CHECK(panel["causes"][0]["label"] == diagnosis["suggested"][0]);

@@ -267,8 +267,8 @@ TEST_CASE("a gear that lags is found where only the order of captures tells how 
   const double truth = simulation.truth.value("hysteresis", "elbow", "D").value();
   const GroupEvidence& found = diagnosis.ranking.front().evidence;
   CHECK(found.estimate[0] == Approx(truth).margin(4 * std::sqrt(found.covariance(0, 0))));
-  REQUIRE(diagnosis.notes.size() == 1);
-  CHECK(diagnosis.notes.front().starts_with("the direction of approach was taken from the order of captures"));
+  REQUIRE(diagnosis.assumptions.size() == 1);
+  CHECK(diagnosis.assumptions.front().why.starts_with("the direction of approach was taken from the order of captures"));
 }
 
 TEST_CASE("a zero that jumps by degrees is told with its size, beside a tracker whose noise it would otherwise make",

@@ -1,6 +1,7 @@
 #include "diagnosis/CheckedCalibration.hpp"
 
 #include "diagnosis/DiagnosisWording.hpp"
+#include "diagnosis/Findings.hpp"
 #include "diagnosis/anomalies/DataChecks.hpp"
 #include "setups/SetUpSearch.hpp"
 
@@ -17,7 +18,8 @@ WeighedCalibration calibrateOrSuspect(const Measurements& measurements, const Mo
     if (found.empty()) {
       throw;
     }
-    throw WrongSetUpError{formatAnomalies(suspect(found)), std::move(found)};
+    std::vector<Finding> findings = listAnomalies(suspect(found), measurements);
+    throw WrongSetUpError{std::move(found), std::move(findings)};
   }
 }
 
@@ -29,6 +31,14 @@ std::vector<DataAnomaly> explainByAccidents(const FittedModel& fitted, const Can
   } catch (const InputError&) { // with all at full weight a corner lies behind its camera
     return {};
   }
+}
+
+/// What is suspicious in the place of the verdict on a fit that it spoiled.
+void suspectFirst(const Measurements& measurements, CalibrationResult& result) {
+  std::vector<Finding> findings = listAnomalies(result.suspicious, measurements);
+  append(furtherThanVerdict(result.findings), findings);
+  result.sentence = findings.front().sentence;
+  result.findings = std::move(findings);
 }
 
 } // namespace
@@ -49,8 +59,7 @@ CalibrationResult calibrateChecked(const Measurements& measurements, const Model
   if (!result.suspicious.empty()) {
     result.verdict = ResultVerdict::doNotUse;
     result.usable = false;
-    result.sentence = formatAnomalies(result.suspicious);
-    result.reasons.insert(result.reasons.begin(), describeAnomalies(result.suspicious));
+    suspectFirst(measurements, result);
   }
   return std::move(result);
 }

@@ -11,10 +11,11 @@ namespace naocal {
 
 /// Captures that cannot be fitted, since their set-up is wrong.
 struct WrongSetUpError : InputError {
-  WrongSetUpError(const std::string& sentence, std::vector<WrongSetUp> found)
-      : InputError{sentence}, setUps{std::move(found)} {}
+  WrongSetUpError(std::vector<WrongSetUp> found, std::vector<Finding> told)
+      : InputError{told.front().sentence}, setUps{std::move(found)}, findings{std::move(told)} {}
 
   std::vector<WrongSetUp> setUps;
+  std::vector<Finding> findings; // the same
 };
 
 /// Calibrates (`calibrate`), and looks for what is wrong with the captures: mistakes of the set-up where the error is

@@ -8,6 +8,7 @@
 #include "diagnosis/CandidateJudgement.hpp"
 #include "diagnosis/DiagnosisFigures.hpp"
 #include "diagnosis/DiagnosisWording.hpp"
+#include "diagnosis/Findings.hpp"
 #include "diagnosis/OwnEffect.hpp"
 #include "diagnosis/StepwiseSelection.hpp"
 #include "diagnosis/anomalies/DataChecks.hpp"
@@ -301,7 +302,7 @@ private:
         named.push_back(finding.term);
       }
     }
-    result_.notes = describeAssumptions(measurements_, named);
+    result_.assumptions = listAssumptions(measurements_, named);
   }
 
   /// Whether what is suggested may be the best of many candidates by chance: its evidence hardly pays for their number
@@ -328,14 +329,14 @@ private:
     const Verdict verdict = result_.verdict;
     const bool isUnexplained = result_.suggested.empty() && verdict != Verdict::unknownEffect;
     if (isUnexplained && verdict != Verdict::badCaptures) {
-      for (std::string& sentence : listImpossible(first)) {
-        result_.anomalies.push_back({{}, std::move(sentence)});
+      for (Finding& finding : listImpossible(first)) {
+        result_.anomalies.push_back({{}, std::move(finding.why)});
         result_.verdict = Verdict::badCaptures;
       }
     }
     const auto still = describeStillJoints(first);
     if (still && result_.verdict == Verdict::adequate) {
-      result_.anomalies.push_back({{}, *still});
+      result_.anomalies.push_back({{}, still->why});
       result_.hasStillJoints = true;
       result_.verdict = Verdict::badCaptures;
     }
@@ -559,6 +560,7 @@ Diagnosis diagnose(const Measurements& measurements, const DiagnosisOptions& opt
     }
     result = diagnoseUnfittable(measurements, asked, error);
   }
+  result.findings = listFindings(result, measurements);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return result;
 }

@@ -135,6 +135,7 @@ Json diagnosisJson(const Diagnosis& diagnosis, std::size_t mostPoints) {
       withFormat("naocal-diagnosis",
                  {{"verdict", toString(diagnosis.verdict)},
                   {"sentence", diagnosis.sentence},
+                  {"findings", toJson(diagnosis.findings)},
                   {"lackOfFit",
                    {{"statistic", diagnosis.lackOfFit.statistic},
                     {"dof", diagnosis.lackOfFit.dof},
@@ -179,7 +180,6 @@ Json diagnosisJson(const Diagnosis& diagnosis, std::size_t mostPoints) {
     result["rivalCurve"] = diagnosis.rivalCurve;
   }
   result["suspicious"] = suspiciousJson(diagnosis.anomalies);
-  result["notes"] = diagnosis.notes;
   addFiguresJson(diagnosis, mostPoints, result);
   return result;
 }

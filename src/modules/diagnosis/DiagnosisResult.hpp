@@ -98,7 +98,8 @@ struct Diagnosis {
   std::vector<DataAnomaly> anomalies;
   bool hasStillJoints = false;    // whether the captures are bad only since joints never moved; the model explains them
   bool anomaliesBeside = false;   // whether these were found beside the suggestions, which explain more
-  std::vector<std::string> notes; // what was taken for granted about the captures (`describeAssumptions`)
+  std::vector<Finding> assumptions; // `listAssumptions`
+  std::vector<Finding> findings;    // `listFindings`, most serious first
   Figures figures;
   CalibrationResult fit;         // of the model as given
   CalibrationResult lastFit;     // of the last model: with all suggested catalogue effects

@@ -93,19 +93,16 @@ std::string formatTrivial(const Diagnosis& diagnosis) {
                : "";
 }
 
-/// Why the result of a model that explains the captures must not be used all the same: what they do not tell.
-std::string findUnlearned(const CalibrationResult& fit) {
-  const auto found = std::find_if(fit.warnings.begin(), fit.warnings.end(), [&](const Warning& warning) {
-    return warning.about == Warning::About::offset &&
-           std::find(fit.reasons.begin(), fit.reasons.end(), warning.sentence) != fit.reasons.end();
-  });
-  return found == fit.warnings.end() ? "" : found->sentence;
+/// Why the result of a model that explains the captures must not be used all the same; empty if it may.
+std::string findReason(const CalibrationResult& fit) {
+  const std::vector<std::string> reasons = reasonsAgainstUse(furtherThanVerdict(fit.findings));
+  return reasons.empty() ? "" : reasons.front();
 }
 
 std::string formatAdequate(const Diagnosis& diagnosis) {
   const ErrorUnit& unit = diagnosis.unit;
   const std::string trivial = formatTrivial(diagnosis);
-  const std::string against = findUnlearned(diagnosis.fit);
+  const std::string against = findReason(diagnosis.fit);
   return fmt::format(
       "The model explains these captures: the error is {:.2f} {unit}, the noise floor {:.2f} {unit}.{}{}",
       unit.perPx * diagnosis.rmsPx, unit.perPx * diagnosis.lackOfFit.noiseFloorPx,

@@ -1,4 +1,5 @@
 #include "report/DiagnosisData.hpp"
+#include "report/FindingsData.hpp"
 
 #include "report/AliasesData.hpp"
 #include "report/CandidatesData.hpp"
@@ -30,19 +31,6 @@ json stepJson(const JsonCursor& step, const ErrorUnit& errors) {
           {"heldOut", heldOut.value().is_null() ? json(nullptr) : json(errors.perPx * heldOut.number(anyNumber))},
           {"floor", errors.perPx * step.at("noiseFloorPx").number(pixels)},
           {"alarm", step.at("alarm").number({0, 1, ""})}};
-}
-
-/// The reason of a suspicion, with its capture.
-json suspicionJson(const JsonCursor& entry) {
-  const std::string why = entry.at("why").text();
-  const auto capture = entry.find("capture");
-  const std::string name = capture ? fmt::format("capture {}", capture->integer(0, maxInteger)) : "";
-  return why.find(name) != why.npos ? why : fmt::format("{} ({})", why, name);
-}
-
-std::vector<JsonCursor> elementsOf(const JsonCursor& object, const std::string& key) {
-  const auto list = object.find(key);
-  return list ? list->elements() : std::vector<JsonCursor>{};
 }
 
 /// Adds images (capture, camera, pose), poses (set, name, images) and cameras (width, height).
@@ -95,19 +83,13 @@ json diagnosisData(const JsonCursor& diagnosis) {
             {"map", mapData(diagnosis)},
             {"kinds", kindErrorsData(diagnosis, named)},
             {"steps", json::array()},
-            {"suspicious", json::array()},
+            {"findings", findingsData(diagnosis)},
             {"facts", json::array()}};
   addTaken(diagnosis, data);
   addResidualViewsData(diagnosis, data);
   data["candidates"] = candidatesData(diagnosis, data, errors);
   for (const JsonCursor& step : diagnosis.at("steps").elements()) {
     data["steps"].push_back(stepJson(step, errors));
-  }
-  for (const JsonCursor& entry : diagnosis.at("suspicious").elements()) {
-    data["suspicious"].push_back(suspicionJson(entry));
-  }
-  for (const JsonCursor& note : elementsOf(diagnosis, "notes")) {
-    data["suspicious"].push_back(note.text());
   }
   const auto next = diagnosis.find("next");
   if (next && !next->value().is_null() && next->at("why").value() != "") { // otherwise nothing is open

@@ -190,7 +190,7 @@ json evaluationData(const JsonCursor& evaluation) {
           {"sentence", fmt::format("{} error sets per setting, {} settings; the thesis's figures are drawn at {:.1f}°.",
                                    sets, settings.size(), bestTolerance)},
           {"facts", json::array()},
-          {"warnings", json::array()},
+          {"findings", json::array()},
           {"tolerances", tolerances},
           {"tables", tables},
           {"settings", settings},

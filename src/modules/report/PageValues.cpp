@@ -14,6 +14,11 @@ std::size_t indexIn(const nlohmann::json& list, const JsonCursor& place) {
   return static_cast<std::size_t>(place.integer(0, static_cast<int>(list.size()) - 1));
 }
 
+std::vector<JsonCursor> elementsOf(const JsonCursor& object, const std::string& key) {
+  const auto list = object.find(key);
+  return list ? list->elements() : std::vector<JsonCursor>{};
+}
+
 double roundToDecimals(double value, int decimals) {
   const double scale = std::pow(10.0, decimals);
   return std::round(value * scale) / scale;

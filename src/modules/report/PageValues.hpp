@@ -6,6 +6,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace naocal {
 
@@ -14,6 +15,9 @@ std::string label(const JsonCursor& place);
 
 /// Index of an entry in a list of the page.
 std::size_t indexIn(const nlohmann::json& list, const JsonCursor& place);
+
+/// Elements of a list that may be absent.
+std::vector<JsonCursor> elementsOf(const JsonCursor& object, const std::string& key);
 
 /// Rounds to a number of decimals.
 double roundToDecimals(double value, int decimals);

@@ -1,4 +1,5 @@
 #include "report/ResultData.hpp"
+#include "report/FindingsData.hpp"
 
 #include "calibration/result/Wording.hpp"
 #include "io/Units.hpp"
@@ -37,24 +38,6 @@ std::string nameRobot(const std::string& model) {
   return isNao ? "NAO " + model : model;
 }
 
-/// The sentence about an unlikely explanation that would move the estimate far (`formatShoulder`), if any.
-json farJson(const std::string& name, const JsonCursor& unknown) {
-  const auto averaged = unknown.find("averaged");
-  const auto shoulder = averaged ? averaged->find("shoulder") : std::nullopt;
-  if (!shoulder || shoulder->value().is_null()) {
-    return nullptr;
-  }
-  const auto without = shoulder->find("without");
-  const std::vector<double> bound = averaged->at("bound").numbers(2, {-1e15, 1e15, ""}, "lower and upper end");
-  return formatShoulder(
-      name, unknown.at("unit").text(),
-      {.sigma = averaged->at("sigma").number({0, 1e15, ""}),
-       .bound = {bound[0], bound[1]},
-       .shoulder =
-           Shoulder{shoulder->at("effects").texts(), without ? without->texts() : std::vector<std::string>{},
-                    shoulder->at("weight").number({0, 1, ""}), shoulder->at("value").number({-1e15, 1e15, ""})}});
-}
-
 /// The averaged estimate if alternative models were tested, otherwise that of the model, which is also given as
 /// `fitted`.
 json estimateJson(const std::string& name, const JsonCursor& unknown, double scale) {
@@ -68,7 +51,6 @@ json estimateJson(const std::string& name, const JsonCursor& unknown, double sca
           {"fitted", scale * unknown.at("value").number({-1e15, 1e15, ""})},
           {"low", scale * ends[0]},
           {"high", scale * ends[1]},
-          {"far", farJson(name, unknown)},
           {"learned", unknown.at("learned").number({-1e15, 1, ""})}};
 }
 
@@ -182,8 +164,7 @@ json resultData(const JsonCursor& result, const SourceCaptures& sources) {
             {"headline", words.headline},
             {"sentence", words.sentence},
             {"facts", json::array()},
-            {"warnings", result.at("warnings").texts()},
-            {"weak", json::array()},
+            {"findings", findingsData(result)},
             {"groups", estimatesData(result.at("effects"))},
             {"pixelNoise", result.at("noise").at("pixel").number({0, 1e6, "px"})},
             {"pictures", picturesJson(readPictures(result), sources)},
@@ -194,11 +175,6 @@ json resultData(const JsonCursor& result, const SourceCaptures& sources) {
             {"missing", sources.unavailable()}};
   for (const auto& [figure, sentence] : facts(result, data["pictures"].size(), sources.drawingErrors())) {
     data["facts"].push_back({{"figure", figure}, {"sentence", sentence}});
-  }
-  for (const JsonCursor& direction : result.at("weak").elements()) {
-    data["weak"].push_back({{"sentence", direction.at("sentence").text()},
-                            {"sigma", direction.at("sigma").number({0, 1e15, ""})},
-                            {"unit", direction.at("unit").text()}});
   }
   return data;
 }

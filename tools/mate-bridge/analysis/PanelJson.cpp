@@ -9,6 +9,7 @@
 #include "math/Angles.hpp"
 #include "math/LinearAlgebra.hpp"
 #include "report/DiagnosisData.hpp"
+#include "report/FindingsData.hpp"
 #include "report/PageValues.hpp"
 #include "report/ReadingsData.hpp"
 #include "report/ResultData.hpp"
@@ -105,7 +106,7 @@ Json fitJson(const Json& document, const Dataset& opened, const FittedModel& fit
            {"verdict", toString(fitted.fit.verdict)},
            {"headline", words.headline},
            {"sentence", words.sentence},
-           {"warnings", toSentences(fitted.fit.warnings)},
+           {"findings", findingsData(place)},
            {"rms", errors.perPx * fitted.fit.rmsPx},
            {"median", errors.perPx * fitted.fit.medianPx},
            {"pValue", fitted.fit.pValue},

@@ -3,6 +3,7 @@
 #include "console/OutputFiles.hpp"
 #include "console/Progress.hpp"
 #include "console/print/PrintDiagnosis.hpp"
+#include "console/print/PrintFindings.hpp"
 #include "console/print/PrintText.hpp"
 
 #include "command-line/OptionChecks.hpp"
@@ -27,7 +28,7 @@ namespace {
 
 struct DiagnoseCommand {
   std::vector<std::string> sets;
-  std::string json, model, poses, own;
+  std::string json, model, poses, own, failOn;
   std::string definitions = "[]"; // of the model's file
   bool skipBad = false, samePlace = false, full = false;
   DiagnosisOptions options;
@@ -142,7 +143,8 @@ int diagnose(DiagnoseCommand& command) {
     }
     printNextPoses(next, asIs, command.poses);
   }
-  return diagnosis.verdict == Verdict::badCaptures ? 3 : 0;
+  const bool fails = !command.failOn.empty() && isAnyAsSerious(diagnosis.findings, command.failOn);
+  return diagnosis.verdict == Verdict::badCaptures || fails ? 3 : 0;
 }
 
 } // namespace
@@ -173,6 +175,7 @@ void addDiagnose(CLI::App& app, int& exitCode) {
       ->type_name("FILE")
       ->group(expertOptions)
       ->check(replaceableFile("naocal-model"));
+  addFailOn(*diagnoser, command->failOn);
   diagnoser->add_option("--next", command->poses, "write poses that would decide what is still open into this file")
       ->type_name("FILE")
       ->check(replaceableFile("naocal-poses"));

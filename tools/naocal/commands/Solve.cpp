@@ -2,6 +2,7 @@
 #include "console/CommandLine.hpp"
 #include "console/OutputFiles.hpp"
 #include "console/print/PrintCalibration.hpp"
+#include "console/print/PrintFindings.hpp"
 #include "console/print/PrintText.hpp"
 
 #include "calibration/result/Verdict.hpp"
@@ -31,6 +32,7 @@ namespace {
 struct SolveCommand {
   std::vector<std::string> sets, with, without;
   std::string output, json, model, start;
+  std::string failOn;
   bool samePlace = false, skipBad = false, fixedNoise = false, plain = false;
   CalibrationOptions options;
 };
@@ -65,13 +67,15 @@ void printMending(const std::vector<WrongSetUp>& setUps, const GivenOptions& asI
 
 /// The result of captures that cannot be fitted as they are: what is wrong with them, and no estimates.
 nlohmann::json unfittedJson(const WrongSetUpError& error, const ResultSources& inputs) {
+
   return withFormat("naocal-result", {{"converged", false},
                                       {"verdict", toString(ResultVerdict::doNotUse)},
                                       {"usable", false},
                                       {"sentence", error.what()},
                                       {"setUps", setUpsJson(error.setUps)},
                                       {"suspicious", suspiciousJson(suspect(error.setUps))},
-                                      {"warnings", nlohmann::json::array()},
+                                      {"findings", toJson(error.findings)},
+                                      {"warnings", sentencesOf(furtherFindings(error.findings))},
                                       {"effects", nlohmann::json::array()},
                                       {"placements", nlohmann::json::object()},
                                       {"inputs", toJson(inputs)}});
@@ -111,7 +115,8 @@ int solve(SolveCommand& command) {
   } catch (const WrongSetUpError& error) {
     write([&](const ResultSources& inputs) { return unfittedJson(error, inputs); });
     if (!isQuiet) {
-      printText("{} These captures cannot be fitted as they are.\n", error.what());
+      printFindings(error.findings);
+      printText("These captures cannot be fitted as they are.\n");
       printMending(error.setUps, asIs);
     }
     return 3;
@@ -126,7 +131,7 @@ int solve(SolveCommand& command) {
       printText("written to {}\n", command.output);
     }
   }
-  return result.usable ? 0 : 3;
+  return isAnyAsSerious(result.findings, command.failOn) ? 3 : 0;
 }
 
 } // namespace
@@ -168,6 +173,7 @@ void addSolve(CLI::App& app, int& exitCode) {
                    "ball 2 m ahead 0.05 where a cause is missing, of a robot's tool 10 noise floors, at most 0.005")
       ->type_name("METRES")
       ->check(number(1e-6, 10.0));
+  addFailOn(*solver, command->failOn);
   solver->add_flag("--same-place", command->samePlace,
                    "boards and stances with the same id have the same placement in all sets");
   solver->add_flag("--skip-bad", command->skipBad, "use the other captures when some cannot be used, and list those");

@@ -2,6 +2,7 @@
 
 #include "calibration/ReadingErrors.hpp"
 #include "calibration/result/DataAnomaly.hpp"
+#include "calibration/result/Finding.hpp"
 #include "effects/Catalogue.hpp"
 #include "estimation/Residuals.hpp"
 #include "inference/NoiseLevels.hpp"
@@ -147,13 +148,6 @@ struct NegligibleEffect {
   double movedPx = 0;       // rms displacement of predicted corners [px]
 };
 
-/// A reason for caution, with advice.
-struct Warning {
-  enum class About { fit, offset, floor };
-  About about;
-  std::string sentence;
-};
-
 /// A mistake in how the captures were set up (setups/Catalogue.hpp).
 struct WrongSetUp {
   std::string label;    // "reversedJoint@elbow"
@@ -188,10 +182,9 @@ struct Undetectable {
 struct CalibrationResult {
   bool converged = false;
   ResultVerdict verdict = ResultVerdict::good;
-  bool usable = false;              // verdict is not `doNotUse`
-  std::string sentence;             // the verdict as a sentence, identical on all surfaces
-  std::vector<std::string> reasons; // why it must not be used, most serious first; empty if usable
-  std::vector<Warning> warnings;
+  bool usable = false;           // verdict is not `doNotUse`
+  std::string sentence;          // the verdict as a sentence, identical on all surfaces: that of the first finding
+  std::vector<Finding> findings; // most serious first
   Eigen::VectorXd unknowns;
   std::vector<Estimate> estimates; // one per unknown
   Eigen::MatrixXd covariance;      // of the unknowns, at `misfit` (`temperPrecision`)

@@ -12,6 +12,8 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <utility>
 
 namespace naocal {
 
@@ -111,12 +113,20 @@ bool isLearnedGiven(const FittedModel& fitted, const Term& term, std::size_t i, 
   return sigmaGiven(fitted, term.first + i, isKnown) < (1 - threshold::learned) * term.effect.unknowns[i].sigma;
 }
 
-void addOffset(const FittedModel& fitted, const Term& term, std::vector<std::string>& sentences) {
+/// The finding that the captures do not tell a term.
+Finding describeUndetermined(const FittedModel& fitted, const Term& term, std::string why) {
+  Finding finding = makeFinding("not-learned", term.label(), FindingLevel::stop, std::move(why), fitted.measurements);
+  finding.answers = {{"take poses", "", ""}, {"leave out", "effect", term.label()}};
+  return finding;
+}
+
+Finding describeOffset(const FittedModel& fitted, const Term& term) {
   constexpr double far = 0.3; // [rad, m]: a joint that moves so far would show, if what is measured moved with it
   const Estimate& estimate = fitted.fit.estimates[term.first];
-  sentences.push_back(
-      fmt::format("{} cannot be learned from these captures ({:.0f} % learned, ±{}): "
-                  "{}, or leave it out with --without {}",
+  return describeUndetermined(
+      fitted, term,
+      fmt::format("{} cannot be learned from these captures ({:.0f} % learned, ±{}): {}, or leave it out with "
+                  "--without {}",
                   describeUnknown(term, 0), 100 * estimate.learned, formatSigma(term, estimate.bestSigma()),
                   motionOf(term.placeIndex, fitted.measurements) < far
                       ? "add poses that move it"
@@ -125,7 +135,7 @@ void addOffset(const FittedModel& fitted, const Term& term, std::vector<std::str
 }
 
 /// A camera's mount or another effect, as far as the captures do not tell it.
-void addEffect(const FittedModel& fitted, const Term& term, std::vector<std::string>& sentences) {
+std::optional<Finding> describeEffect(const FittedModel& fitted, const Term& term) {
   std::vector<std::string> names;
   double most = 0;
   for (std::size_t i = 0; i < term.effect.unknowns.size(); ++i) {
@@ -135,12 +145,15 @@ void addEffect(const FittedModel& fitted, const Term& term, std::vector<std::str
     }
   }
   const bool isWhole = isMount(term) && !fitted.measurements.quantities.scene().hasLinkSteps;
-  if (!names.empty() && (isWhole || names.size() == term.effect.unknowns.size())) {
-    sentences.push_back(fmt::format("{} cannot be learned from these captures ({}{:.0f} % learned): add poses in which "
-                                    "{} shows, or leave {} out",
-                                    joinWords(names), names.size() == 1 ? "" : "at most ", 100 * most,
-                                    names.size() == 1 ? "it" : "each", term.label()));
+  if (names.empty() || (!isWhole && names.size() < term.effect.unknowns.size())) {
+    return std::nullopt;
   }
+  return describeUndetermined(
+      fitted, term,
+      fmt::format("{} cannot be learned from these captures ({}{:.0f} % learned): add poses in which {} shows, or "
+                  "leave {} out",
+                  joinWords(names), names.size() == 1 ? "" : "at most ", 100 * most, names.size() == 1 ? "it" : "each",
+                  term.label()));
 }
 
 } // namespace
@@ -161,42 +174,50 @@ HeldOffsets findHeldOffsets(const FittedModel& fitted) {
   return held;
 }
 
-std::vector<std::string> listUndetermined(const FittedModel& fitted, const HeldOffsets& held) {
-  std::vector<std::string> sentences;
-  if (const auto still = describeStillJoints(fitted)) {
-    sentences.push_back(*still);
+std::vector<Finding> listUndetermined(const FittedModel& fitted, const HeldOffsets& held) {
+  std::vector<Finding> findings;
+  if (auto still = describeStillJoints(fitted)) {
+    findings.push_back(*std::move(still));
   }
   for (const Term& term : fitted.model.terms()) {
     if (!isAsked(term)) {
       continue;
     }
     if (!isOffset(term)) {
-      addEffect(fitted, term, sentences);
+      if (auto finding = describeEffect(fitted, term)) {
+        findings.push_back(*std::move(finding));
+      }
     } else if (!isLearned(fitted, term.first) && !held.contains(term.first) &&
                !isStill(term.placeIndex, fitted.measurements)) {
-      addOffset(fitted, term, sentences);
+      findings.push_back(describeOffset(fitted, term));
     }
   }
-  return sentences;
+  return findings;
 }
 
-std::optional<std::string> describeStillJoints(const FittedModel& fitted) {
-  std::vector<std::string> names;
+std::optional<Finding> describeStillJoints(const FittedModel& fitted) {
+  std::vector<std::string> words, names;
   bool isUnknown = false;
   for (const Term& term : fitted.model.terms()) {
     if (isOffset(term) && isAsked(term) && isStill(term.placeIndex, fitted.measurements)) {
-      names.push_back(describeUnknown(term, 0));
+      words.push_back(describeUnknown(term, 0));
+      names.push_back(term.placeName);
       isUnknown |= !isLearned(fitted, term.first);
     }
   }
   if (!isUnknown) {
     return std::nullopt;
   }
-  const bool single = names.size() == 1;
-  return fmt::format("{} joint{} never moved: {}; without motion no offset can be learned: add poses that move {}, or "
-                     "leave {} out",
-                     names.size(), single ? "" : "s", joinWords(names), single ? "it" : "them",
-                     single ? "its offset" : "their offsets");
+  const bool single = words.size() == 1;
+  Finding finding =
+      makeFinding("not-learned", fmt::format("jointOffset@{}", fmt::join(names, ",")), FindingLevel::stop,
+                  fmt::format("{} joint{} never moved: {}; without motion no offset can be learned: add poses that "
+                              "move {}, or leave {} out",
+                              words.size(), single ? "" : "s", joinWords(words), single ? "it" : "them",
+                              single ? "its offset" : "their offsets"),
+                  fitted.measurements);
+  finding.answers = {{"take poses", "", ""}};
+  return finding;
 }
 
 std::string formatSigma(const Term& offset, double sigma) {

@@ -18,17 +18,16 @@ using HeldOffsets = std::map<std::size_t, const Term*>;
 /// offset.
 HeldOffsets findHeldOffsets(const FittedModel& fitted);
 
-/// Unknowns that were asked for and that the captures do not determine (`threshold::learned`), one sentence per term
+/// Unknowns that were asked for and that the captures do not determine (`threshold::learned`), one finding per term
 /// with advice:
-///   - offsets, unless they are held; joints that stand still in one sentence;
+///   - offsets, unless they are held; joints that stand still in one finding;
 ///   - rotations and translations of cameras and other effects, unless they are known together with other effects, for
 ///     which they can only be traded. Of an effect with several unknowns one suffices, as the others stay within what
 ///     is plausible; not of a camera's mount on a robot without URDF, whose unknown placements never imitate a mount.
-std::vector<std::string> listUndetermined(const FittedModel& fitted, const HeldOffsets& held);
+std::vector<Finding> listUndetermined(const FittedModel& fitted, const HeldOffsets& held);
 
-/// Joints that stand still, if their offsets were asked for and one of them is not learned, as one sentence with
-/// advice.
-std::optional<std::string> describeStillJoints(const FittedModel& fitted);
+/// Joints that stand still, if their offsets were asked for and one of them is not learned, with advice.
+std::optional<Finding> describeStillJoints(const FittedModel& fitted);
 
 /// An offset's sigma with its unit: "5.7°", "3.1 mm".
 std::string formatSigma(const Term& offset, double sigma);

@@ -75,23 +75,26 @@ double impossibleDistance(const Measurements& measurements) {
   return most;
 }
 
-void addGrossNoise(const FittedModel& fitted, std::vector<std::string>& sentences) {
+void addGrossNoise(const FittedModel& fitted, std::vector<Finding>& findings) {
   for (std::size_t i = 0; i < fitted.measurements.levels.size(); ++i) {
     const ReadingLevel& level = fitted.measurements.levels[i];
     const bool isLength = level.unit == ReadingLevel::Unit::metres;
     const double sigma = sigmaOf(fitted.measurements, fitted.fit.noise, i);
     constexpr double nearly = 0.95; // the search for a level ends within a few percent of its upper end
     if (!level.isGiven && sigma > nearly * mostNoiseOf(level)) {
-      sentences.push_back(fmt::format(
-          "the readings of {} scatter by {} (1 sigma) or more, which no instrument does: something is wrong with them "
-          "or with "
-          "the model; if the instrument is that coarse, give its sigma in the file",
-          level.name, isLength ? fmt::format("{:.1f} mm", 1e3 * sigma) : fmt::format("{:.1f}°", degrees(sigma))));
+      findings.push_back(makeFinding(
+          "noise", level.name, FindingLevel::stop,
+          fmt::format("the readings of {} scatter by {} (1 sigma) or more, which no instrument does: something is "
+                      "wrong with them or with the model; if the instrument is that coarse, give its sigma in the file",
+                      level.name,
+                      isLength ? fmt::format("{:.1f} mm", 1e3 * sigma) : fmt::format("{:.1f}°", degrees(sigma))),
+          fitted.measurements));
+      findings.back().numbers = {{"sigma", sigma}};
     }
   }
 }
 
-void addImplausibleValues(const FittedModel& fitted, std::vector<std::string>& sentences) {
+void addImplausibleValues(const FittedModel& fitted, std::vector<Finding>& findings) {
   for (const Term& term : fitted.model.terms()) {
     std::vector<double> averaged;
     for (std::size_t i = 0; i < term.effect.unknowns.size(); ++i) {
@@ -100,7 +103,7 @@ void addImplausibleValues(const FittedModel& fitted, std::vector<std::string>& s
     const auto first = describeImplausible(term, averaged);
     const auto sentence = first ? first : describeImplausible(term, term.values(fitted.fit.unknowns));
     if (sentence && term.requested) {
-      sentences.push_back(*sentence);
+      findings.push_back(makeFinding("set-up", term.label(), FindingLevel::stop, *sentence, fitted.measurements));
     }
   }
 }
@@ -148,14 +151,14 @@ std::optional<std::string> describeImpossibleError(const FittedModel& fitted) {
       areFew ? "" : "; " + formatRejected(rejected));
 }
 
-std::vector<std::string> listImpossible(const FittedModel& fitted) {
-  std::vector<std::string> sentences;
+std::vector<Finding> listImpossible(const FittedModel& fitted) {
+  std::vector<Finding> findings;
   if (auto error = describeImpossibleError(fitted)) {
-    sentences.push_back(*std::move(error));
+    findings.push_back(makeFinding("set-up", "unknown", FindingLevel::stop, *std::move(error), fitted.measurements));
   }
-  addGrossNoise(fitted, sentences);
-  addImplausibleValues(fitted, sentences);
-  return sentences;
+  addGrossNoise(fitted, findings);
+  addImplausibleValues(fitted, findings);
+  return findings;
 }
 
 std::vector<std::string> listImplausible(const std::map<std::string, double>& values) {

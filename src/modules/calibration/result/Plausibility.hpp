@@ -16,16 +16,16 @@ namespace naocal {
 std::optional<std::string> describeImplausible(const Term& term, std::span<const double> values);
 
 /// That the rms errors of a fit are beyond what any robot has: `threshold::impossiblePx`, as an angle through longer
-/// lenses, or `impossibleMetres` and `impossibleRadians` (and `impossibleNoises` times a noise that is given). Displaced
-/// boards do not count, and other rejected measurements only from a share of `threshold::manyRejected` on. Absent if
-/// they are not.
+/// lenses, or `impossibleMetres` and `impossibleRadians` (and `impossibleNoises` times a noise that is given).
+/// Displaced boards do not count, and other rejected measurements only from a share of `threshold::manyRejected` on.
+/// Absent if they are not.
 std::optional<std::string> describeImpossibleError(const FittedModel& fitted);
 
-/// Errors, noise and values of a fit that are beyond what any robot has, one sentence each:
+/// Errors, noise and values of a fit that are beyond what any robot has:
 ///   - errors as of `describeImpossibleError`;
 ///   - estimated noise of readings beyond `threshold::grossMetres` or `grossRadians`, which hides any misfit;
 ///   - implausible values, as fitted or averaged.
-std::vector<std::string> listImpossible(const FittedModel& fitted);
+std::vector<Finding> listImpossible(const FittedModel& fitted);
 
 /// Implausible values among numbers of any source, by unknown: "jointOffset@LKneePitch.o" -> [rad].
 std::vector<std::string> listImplausible(const std::map<std::string, double>& values);

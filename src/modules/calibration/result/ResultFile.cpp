@@ -413,7 +413,8 @@ json resultJson(const FittedModel& fitted, const ResultSources& inputs) {
                   {"usable", fitted.fit.usable},
                   {"sentence", fitted.fit.sentence},
                   {"setUps", setUpsJson(fitted.fit.setUps)},
-                  {"warnings", toSentences(fitted.fit.warnings)},
+                  {"findings", toJson(fitted.fit.findings)},
+                  {"warnings", sentencesOf(furtherFindings(fitted.fit.findings))},
                   {"rmsPx", hasCorners ? fitted.fit.rmsPx : 0},
                   {"medianPx", hasCorners ? fitted.fit.medianPx : 0},
                   {"noiseFloorPx", fitted.fit.noiseFloorPx},
@@ -452,7 +453,7 @@ json resultJson(const FittedModel& fitted, const ResultSources& inputs) {
                     {"define", definitions(fitted.model)}}},
                   {"cameras", camerasJson(*fitted.measurements.sets)},
                   {"sightings", residualsJson(fitted.measurements, fitted.fit)}});
-  result["reasons"] = fitted.fit.reasons;
+  result["reasons"] = reasonsAgainstUse(fitted.fit.findings);
   result["suspicious"] = suspiciousJson(fitted.fit.suspicious);
   result["rejected"] = rejectedJson(fitted.fit);
   if (fitted.fit.negligible) {

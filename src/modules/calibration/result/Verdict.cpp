@@ -1,8 +1,8 @@
 #include "calibration/result/Verdict.hpp"
 
 #include "calibration/Uncertainty.hpp"
-#include "calibration/result/Assumptions.hpp"
 #include "calibration/result/Determination.hpp"
+#include "calibration/result/Notes.hpp"
 #include "calibration/result/Plausibility.hpp"
 #include "calibration/result/Wording.hpp"
 #include "effects/Catalogue.hpp"
@@ -100,96 +100,51 @@ ResultVerdict judgeExplained(const Model& model, const CalibrationResult& result
   return holds ? ResultVerdict::causeMissing : ResultVerdict::doNotUse;
 }
 
-using About = Warning::About;
-
-void warn(About about, std::string sentence, CalibrationResult& result) {
-  result.warnings.push_back({about, std::move(sentence)});
-}
-
-/// Warns of what forbids to use the result.
-void forbid(About about, const std::vector<std::string>& sentences, CalibrationResult& result) {
-  for (const std::string& sentence : sentences) {
-    result.usable = false;
-    result.reasons.push_back(sentence);
-    warn(about, sentence, result);
-  }
-}
-
-/// Warns of offsets that other terms imitate. The result stays usable: beside placements, which nothing holds, they
-/// stay at zero; with other effects, as large as is plausible of each, they share what the captures tell.
-void warnOfHeldOffsets(const Model& model, const HeldOffsets& held, CalibrationResult& result) {
-  for (const Term& term : model.terms()) {
-    if (const auto found = held.find(term.first); found != held.end()) {
-      warn(About::offset,
-           fmt::format("{} cannot be told from {}{} (±{})", describeUnknown(term, 0), describeImitator(*found->second),
-                       found->second->isPlacement ? " and is held at zero" : "; only what both do together is known",
-                       formatSigma(term, result.estimates[term.first].bestSigma())),
-           result);
-    }
-  }
+/// Adds what forbids to use the result.
+void forbid(std::vector<Finding> findings, CalibrationResult& result) {
+  result.usable &= findings.empty();
+  append(std::move(findings), result.findings);
 }
 
 bool isLikelyBeyondTolerance(const CalibrationResult& result) {
   return result.task && result.task->sigma > result.task->tolerance;
 }
 
-/// What brings an error within the tolerance.
-const char* adviseForTask(bool missing) {
-  return missing ? "add the effect that is missing" : "take more poses";
-}
-
-/// Forbids results whose error is likely beyond the tolerance.
-void checkTask(bool missing, CalibrationResult& result) {
-  if (isLikelyBeyondTolerance(result) && !result.task->isGiven) {
-    forbid(About::floor,
-           {fmt::format("{}: the error, {} (1 sigma), is beyond the tolerance of {}: {}", result.task->what,
-                        formatSize(result.task->sigma, "m"), formatSize(result.task->tolerance, "m"),
-                        adviseForTask(missing))},
-           result);
+/// That the task's error, in words, is beyond the tolerance, and what brings it within.
+Finding describeBeyond(FindingLevel level, const std::string& error, bool missing, const FittedModel& fitted) {
+  const Task& task = *fitted.fit.task;
+  Finding finding = makeFinding("weak", "task", level,
+                                fmt::format("{}: {}, is beyond the tolerance of {}: {}", task.what, error,
+                                            formatSize(task.tolerance, "m"),
+                                            missing ? "add the effect that is missing" : "take more poses"),
+                                fitted.measurements);
+  finding.numbers = {{"sigma", task.sigma}, {"bound", task.bound}, {"tolerance", task.tolerance}};
+  if (!missing) {
+    finding.answers = {{"take poses", "", ""}};
   }
+  return finding;
 }
 
-/// The sentence about a bound beyond the tolerance, if it is. `isGiven`: of a tolerance that the user gave.
-std::vector<std::string> describeBound(bool isGiven, bool missing, const CalibrationResult& result) {
-  if (!isBeyondTolerance(result) || result.task->isGiven != isGiven ||
-      (!isGiven && isLikelyBeyondTolerance(result))) { // said already
+/// Whether the error is likely beyond the usual tolerance, which then forbids use.
+std::vector<Finding> checkTask(bool missing, const FittedModel& fitted) {
+  if (!isLikelyBeyondTolerance(fitted.fit) || fitted.fit.task->isGiven) {
     return {};
   }
-  return {fmt::format("{}: the bound of the error, {} (99.95 %), is beyond the tolerance of {}: {}", result.task->what,
-                      formatSize(result.task->bound, "m"), formatSize(result.task->tolerance, "m"),
-                      adviseForTask(missing))};
+  return {describeBeyond(FindingLevel::stop,
+                         fmt::format("the error, {} (1 sigma)", formatSize(fitted.fit.task->sigma, "m")), missing,
+                         fitted)};
 }
 
-/// Warns of doubtful measurements of one kind: "corner", "reading".
-void warnOfDoubtful(std::size_t count, const char* kind, CalibrationResult& result) {
-  if (count > 0) {
-    const bool single = count == 1;
-    warn(About::fit,
-         fmt::format("{} {}{} {} not fit the rest and got little or no weight: listed under doubtful", count, kind,
-                     single ? "" : "s", single ? "does" : "do"),
-         result);
+/// Whether the bound is beyond the tolerance: one that the user gave forbids use; the usual one decides only where a
+/// cause is missing (`judgeExplained`).
+std::vector<Finding> checkBound(bool isGiven, bool missing, const FittedModel& fitted) {
+  if (!isBeyondTolerance(fitted.fit) || fitted.fit.task->isGiven != isGiven ||
+      (!isGiven && isLikelyBeyondTolerance(fitted.fit))) { // said already
+    return {};
   }
-}
-
-/// Warns of measurements that lie far from the likeliest explanation and share something.
-void warnOfSharedCause(CalibrationResult& result) {
-  if (!result.sharedCauses.empty()) {
-    const SharedCause& first = result.sharedCauses.front();
-    warn(About::fit,
-         fmt::format(
-             "the measurements that fit worst share {} (p = {:.1g}): they are no accidents, and keep their weight",
-             first.driver, first.p),
-         result);
-  }
-}
-
-void warnOfOutliers(CalibrationResult& result) {
-  std::size_t corners = 0;
-  for (const Outlier& outlier : result.outliers) {
-    corners += outlier.corners.size();
-  }
-  warnOfDoubtful(result.doubtfulReadings.size(), "reading", result);
-  warnOfDoubtful(corners, "corner", result);
+  return {describeBeyond(isGiven ? FindingLevel::stop : FindingLevel::note,
+                         fmt::format("the bound of the error, {} (99.95 %)", formatSize(fitted.fit.task->bound, "m")),
+                         missing, fitted)};
 }
 
 /// What `some` names and `others` does not.
@@ -220,16 +175,39 @@ std::string formatRivals(const Explanation& likeliest, const std::vector<Explana
   return text;
 }
 
-/// The most probable cause of the misfit, if something is missing.
-std::string formatCause(const CalibrationResult& result, bool missing) {
-  // the likeliest that names something: that nothing is missing was just ruled out
+/// The likeliest explanation that names something, if something is missing; null without one.
+const Explanation* findCause(const CalibrationResult& result, bool missing) {
   const auto found = std::find_if(result.explanations.begin(), result.explanations.end(),
                                   [](const Explanation& one) { return !one.effects.empty(); });
-  if (!missing || found == result.explanations.end()) {
+  return missing && found != result.explanations.end() ? &*found : nullptr;
+}
+
+/// A finding about the most probable cause of the misfit, yet without words.
+Finding nameCause(const CalibrationResult& result, bool missing, const Measurements& measurements) {
+  const Explanation* const likeliest = findCause(result, missing);
+  const std::string label = likeliest == nullptr ? "" : likeliest->effects.front();
+  const bool isNamed = label.find('@') != label.npos, isCurve = label.find(" over ") != label.npos;
+  Finding finding;
+  finding.id = isNamed                             ? "effect-missing:" + label
+               : isCurve                           ? "unknown-effect:" + label
+               : !label.empty()                    ? "event:" + label
+               : areManyDisplaced(result.rejected) ? "accident:boards"
+                                                   : "unknown-effect:misfit";
+  finding.where = placeOf(label, measurements);
+  if (isNamed) {
+    finding.answers = {{"add", "effect", label}};
+  }
+  return finding;
+}
+
+/// The most probable cause of the misfit, if something is missing.
+std::string formatCause(const CalibrationResult& result, bool missing) {
+  const Explanation* const found = findCause(result, missing);
+  if (found == nullptr) {
     return "no single cause stands out";
   }
   const Explanation& likeliest = *found;
-  const bool countsAll = found == result.explanations.begin();
+  const bool countsAll = found == &result.explanations.front();
   double whole = 0;
   for (const Explanation& one : result.explanations) {
     whole += one.effects.empty() ? 0 : one.weight;
@@ -252,6 +230,28 @@ std::string formatUnexplained(const CalibrationResult& result, const std::string
   return fmt::format("{}; {}, and {}", formatSizes(result), cause, harm);
 }
 
+/// The finding that is the verdict: the calibration is good, or what is missing.
+Finding describeVerdict(const Measurements& measurements, bool missing, const CalibrationResult& result) {
+  const std::string cause = formatCause(result, missing);
+  Finding finding =
+      result.verdict == ResultVerdict::good ? Finding{.id = "good"} : nameCause(result, missing, measurements);
+  switch (result.verdict) {
+  case ResultVerdict::good:
+    finding.why = formatSizes(result);
+    break;
+  case ResultVerdict::causeMissing:
+    finding.level = FindingLevel::act;
+    finding.why = fmt::format("{}; {}", formatSizes(result), cause);
+    break;
+  case ResultVerdict::doNotUse:
+    finding.level = FindingLevel::stop;
+    finding.why = formatUnexplained(result, cause);
+  }
+  finding.sentence = formatVerdict(result, cause, "");
+  finding.numbers = {{"rmsPx", result.rmsPx}, {"noiseFloorPx", result.noiseFloorPx}, {"p", result.pValue}};
+  return finding;
+}
+
 } // namespace
 
 std::string formatVerdict(const CalibrationResult& result, const std::string& cause, const std::string& firm) {
@@ -271,47 +271,46 @@ std::string formatVerdict(const CalibrationResult& result, const std::string& ca
 }
 
 void judgeResult(const Measurements& measurements, const Model& model, CalibrationResult& result) {
+  const FittedModel fitted{measurements, model, result};
   result.weak = findWeakDirections(model, result);
   result.usable = true;
   if (!result.converged) {
-    forbid(About::fit, {"the search did not converge: try --restarts 20, and check the robot's model and the boards"},
+    forbid({makeFinding("not-learned", "convergence", FindingLevel::stop,
+                        "the search did not converge: try --restarts 20, and check the robot's model and the boards",
+                        measurements)},
            result);
   }
-  forbid(About::fit, listImpossible({measurements, model, result}), result);
+  forbid(listImpossible(fitted), result);
   const bool isCertain = !result.usable;
-  const HeldOffsets held = findHeldOffsets({measurements, model, result});
-  forbid(About::offset, listUndetermined({measurements, model, result}, held), result);
+  const HeldOffsets held = findHeldOffsets(fitted);
+  forbid(listUndetermined(fitted, held), result);
   const bool missing = (result.pValue <= threshold::alarm && result.matters) || !result.sharedCauses.empty();
-  checkTask(missing, result);
-  forbid(About::floor, describeBound(true, missing, result), result);
+  forbid(checkTask(missing, fitted), result);
+  forbid(checkBound(true, missing, fitted), result);
   result.verdict = result.usable ? judgeExplained(model, result, held, missing || areManyDisplaced(result.rejected))
                                  : ResultVerdict::doNotUse;
-  // reports a missing effect before what is not learned: it implies that the offsets are uncertain
-  const std::string cause = formatCause(result, missing);
+  // tells of a missing effect before what is not learned: it implies that the offsets are uncertain
   const bool isFirm = !result.usable && (isCertain || !missing);
-  const bool isExplained = isCertain && missing && result.misfitLeft < threshold::bearableMisfit;
-  result.sentence = formatVerdict(
-      result, cause,
-      isFirm ? fmt::format("{}{}{}", result.reasons.front(), isExplained ? "; " : "", isExplained ? cause : "") : "");
   result.usable = result.verdict != ResultVerdict::doNotUse;
-  if (!result.usable && !isFirm) {
-    result.reasons.insert(result.reasons.begin(), formatUnexplained(result, cause));
+  if (isFirm) {
+    const bool isExplained = isCertain && missing && result.misfitLeft < threshold::bearableMisfit;
+    Finding& first = result.findings.front();
+    first.sentence = formatVerdict(
+        result, "", isExplained ? fmt::format("{}; {}", first.why, formatCause(result, missing)) : first.why);
+  } else {
+    result.findings.insert(result.findings.begin(), describeVerdict(measurements, missing, result));
   }
   if (result.usable && result.negligible) {
-    result.sentence += " " + formatNegligible(*result.negligible, errorUnitOf(measurements, result.noise));
+    Finding finding =
+        makeFinding("negligible", result.negligible->label, FindingLevel::note,
+                    formatNegligible(*result.negligible, errorUnitOf(measurements, result.noise)), measurements);
+    result.findings.front().sentence += " " + finding.why;
+    result.findings.push_back(std::move(finding));
   }
-  warnOfHeldOffsets(model, held, result);
-  for (const std::string& sentence : describeBound(false, missing, result)) { // decides only where a cause is missing
-    warn(About::floor, sentence, result);
-  }
-  warnOfOutliers(result);
-  warnOfSharedCause(result);
-  for (const std::string& sentence : describeDisplacedBoards(measurements, result)) {
-    warn(About::fit, sentence, result);
-  }
-  for (const std::string& sentence : describeAssumptions(measurements, model.terms())) {
-    warn(About::fit, sentence, result);
-  }
+  append(checkBound(false, missing, fitted), result.findings);
+  append(listNotes(fitted, held), result.findings);
+  sortFindings(result.findings);
+  result.sentence = result.findings.front().sentence;
 }
 
 std::string toString(ResultVerdict verdict) {
@@ -324,14 +323,6 @@ std::string toString(ResultVerdict verdict) {
     return "do-not-use";
   }
   return {};
-}
-
-std::vector<std::string> toSentences(const std::vector<Warning>& warnings) {
-  std::vector<std::string> result;
-  for (const Warning& warning : warnings) {
-    result.push_back(warning.sentence);
-  }
-  return result;
 }
 
 } // namespace naocal

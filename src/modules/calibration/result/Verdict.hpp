@@ -7,7 +7,7 @@
 
 namespace naocal {
 
-/// Finds weak directions and judges the result. Fills `weak`, `warnings`, `verdict`, `usable` and `sentence`.
+/// Finds weak directions and judges the result. Fills `weak`, `verdict`, `usable`, `findings` and `sentence`.
 void judgeResult(const Measurements& measurements, const Model& model, CalibrationResult& result);
 
 /// The verdict as a sentence. `cause`: the likeliest missing effect, if any. `firm`: a reason that forbids use
@@ -16,8 +16,5 @@ std::string formatVerdict(const CalibrationResult& result, const std::string& ca
 
 /// As in files: "good", "cause-missing", "do-not-use".
 std::string toString(ResultVerdict verdict);
-
-/// The sentences alone, in order.
-std::vector<std::string> toSentences(const std::vector<Warning>& warnings);
 
 } // namespace naocal

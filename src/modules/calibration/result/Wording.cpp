@@ -110,6 +110,12 @@ std::string describeUnknown(const Term& term, std::size_t unknown) {
   return fmt::format("{}'s {}{}", joint(term.placeName), splitCamelCase(term.effect.name), which);
 }
 
+std::string nameUnknown(const Term& term, std::size_t unknown) {
+  return term.effect.name == effectName::jointOffset
+             ? term.placeName
+             : fmt::format("{} {}", term.label(), term.effect.unknowns[unknown].name);
+}
+
 std::string describeImitator(const Term& term) {
   switch (term.effect.placeKind) {
   case PlaceKind::board:

@@ -12,6 +12,8 @@ namespace naocal {
 /// An unknown in words: "the left hip pitch" for jointOffset@LHipPitch.o, "the top camera's pitch" for
 /// cameraRotation@top.ry, "board A's bow" for boardBow@A.h.
 std::string describeUnknown(const Term& term, std::size_t unknown);
+/// "LKneePitch" for its offset, which stands for the joint; else effect, place and unknown.
+std::string nameUnknown(const Term& term, std::size_t unknown);
 /// What explanations add, in words: "elasticity@LKneePitch", "a curve of LKneePitch over q", "a motion of Torso".
 std::vector<std::string> describeMissing(const std::vector<std::string>& labels);
 /// A term that can imitate a joint's offset, an unknown placement or a link geometry: "where tracker vicon stands".

@@ -21,7 +21,7 @@ namespace naocal {
 
 namespace {
 
-constexpr double some = 0.1; // share of all corners; more than a few misplaced pictures
+constexpr double manyCorners = 0.1; // share of all corners; more than a few misplaced pictures
 
 /// Iterations after which a correction counts as wrong. A search with the right correction starts near its minimum and
 /// needs 5 to 20; one with a wrong correction wanders for hundreds.
@@ -205,7 +205,7 @@ std::optional<DataAnomaly> findMovedFar(const Measurements& measurements, const 
   if (auto moved = findMovedFar(measurements, least, misfit.readings)) {
     return moved;
   }
-  if (misfit.rmsPx > threshold::absurdPx && misfit.farShare > some && std::isfinite(misfit.rmsPx)) {
+  if (misfit.rmsPx > threshold::absurdPx && misfit.farShare > manyCorners && std::isfinite(misfit.rmsPx)) {
     return DataAnomaly{{},
                        fmt::format("predictions are {:.0f} px off and no robot is so wrong: a board of another pattern "
                                    "(legacyPattern), other boards or another robot than the file says",

@@ -2,6 +2,7 @@
 import {button, choosing, element} from "naocal/lib/dom.js";
 import {captureNames} from "naocal/lib/captures.js";
 import {capitalized, sized} from "naocal/lib/format.js";
+import {findingList} from "naocal/plots/finding-list.js";
 import {partialResiduals, partialWords} from "naocal/plots/partial-residuals.js";
 import {act, state} from "../core/state.js";
 
@@ -20,7 +21,7 @@ export function finding(heading) {
   }
   const {headline, sentence, verdict} = diagnosis, stem = headline.replace(/\.$/, "");
   const rest = sentence.startsWith(stem) ? sentence.slice(stem.length).replace(/^[\s:,;.]+/, "") : sentence; // drops the repeated headline
-  return element("div", {class: "verdict finding " + verdict}, element(heading, {}, headline), element("p", {}, capitalized(rest)), actions(diagnosis));
+  return element("div", {class: "verdict finding " + verdict}, element(heading, {}, headline), element("p", {}, capitalized(rest)), actions(diagnosis), ...findingList(diagnosis.findings));
 }
 
 /** Buttons that mend a set-up, or else add what is suggested. */

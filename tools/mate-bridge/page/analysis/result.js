@@ -1,5 +1,6 @@
 // Result view: estimates with error bars.
 import {button, csv, download, element} from "naocal/lib/dom.js";
+import {findingList} from "naocal/plots/finding-list.js";
 import {drawEstimates, drawingSize, estimates, titleOf} from "naocal/plots/estimates.js";
 import {offscreenButtons} from "../core/figure-export.js";
 import {state} from "../core/state.js";
@@ -8,9 +9,8 @@ import {applying} from "./apply-result.js";
 export function showResult(parent) {
   const {fit} = state;
   parent.replaceChildren(
-    element("div", {class: "verdict " + fit.verdict}, element("h1", {}, fit.headline), element("p", {}, fit.sentence),
-      element("dl", {class: "figures"}, ...fit.facts.map(({figure, sentence}) => element("div", {}, element("dt", {}, figure), element("dd", {}, sentence)))),
-      fit.warnings.length ? element("ul", {class: "warnings"}, ...fit.warnings.map(warning => element("li", {}, warning))) : null),
+    element("div", {class: "verdict " + fit.verdict}, element("h1", {}, fit.headline), element("p", {}, fit.sentence), ...findingList(fit.findings),
+      element("dl", {class: "figures"}, ...fit.facts.map(({figure, sentence}) => element("div", {}, element("dt", {}, figure), element("dd", {}, sentence))))),
     ...applying(fit, () => showResult(parent)),
     element("div", {class: "controls"}, button("CSV", () => save(fit), {class: "small"}),
       element("span", {class: "soft"}, "Bars: 95 % intervals. ±: one standard error. Learned: the share of the prior uncertainty that these captures removed.")),

@@ -1,5 +1,5 @@
 // Messages of the bridge about the open captures, and the state that views share.
-import type {Diagnosis, EstimateGroup, Fact, Layer, Picture, ReadCapture, ReadingSeries} from "naocal/lib/types.js";
+import type {Diagnosis, EstimateGroup, Fact, Finding, Layer, Picture, ReadCapture, ReadingSeries} from "naocal/lib/types.js";
 
 /** A user effect, as model files define it. */
 export interface UserEffect {
@@ -51,7 +51,7 @@ export interface FitMessage {
   verdict: string;
   headline: string;
   sentence: string;
-  warnings: string[];
+  findings: Finding[];
   facts: Fact[];
   groups: EstimateGroup[];
   pictures: (Picture & {index: number, kept: boolean})[];

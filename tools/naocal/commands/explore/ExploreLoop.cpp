@@ -3,6 +3,7 @@
 #include "console/OutputFiles.hpp"
 #include "console/print/PrintComparison.hpp"
 #include "console/print/PrintDiagnosis.hpp"
+#include "console/print/PrintFindings.hpp"
 #include "console/print/PrintText.hpp"
 
 #include "calibration/Prediction.hpp"
@@ -165,11 +166,9 @@ void ExploreLoop::printLadder() const {
 }
 
 void ExploreLoop::printCandidates(std::size_t rows) const {
-  for (const DataAnomaly& anomaly : latest_.anomalies) {
-    printText("suspected: {}{}\n", anomaly.why, anomaly.setUp.empty() ? "" : "  (mend it: add " + anomaly.setUp + ")");
-  }
-  for (const std::string& note : latest_.notes) {
-    printText("note: {}\n", note);
+  printFindings(latest_.findings);
+  for (const std::string& setUp : mendableSetUps(latest_)) {
+    printText("mend it: add {}\n", setUp);
   }
   naocal::printCandidates(latest_, rows, true);
 }

@@ -1,7 +1,7 @@
 #include "console/print/PrintCalibration.hpp"
 
-#include "calibration/result/Verdict.hpp"
 #include "calibration/result/Wording.hpp"
+#include "console/print/PrintFindings.hpp"
 #include "console/print/PrintText.hpp"
 #include "effects/Catalogue.hpp"
 #include "io/Units.hpp"
@@ -25,45 +25,12 @@ std::string bar(double share) {
   return result;
 }
 
-/// "LKneePitch" for its offset, which stands for the joint; else effect, place and unknown.
-std::string nameUnknown(const Term& term, const Unknown& unknown) {
-  return term.effect.name == effectName::jointOffset ? term.placeName
-                                                     : fmt::format("{} {}", term.label(), unknown.name);
-}
-
-/// Explanations that would move an estimate far: those whose bound is widest beside the interval.
-void printShoulders(const Model& model, const CalibrationResult& result) {
-  constexpr std::size_t few = 3;
-  std::vector<std::pair<double, std::string>> far;
-  for (const Term& term : model.terms()) {
-    for (std::size_t i = 0; i < term.effect.unknowns.size() && !term.isPlacement && term.requested; ++i) {
-      const Unknown& unknown = term.effect.unknowns[i];
-      const auto& averaged = result.estimates[term.first + i].averaged;
-      if (averaged && averaged->shoulder) {
-        far.emplace_back((averaged->bound[1] - averaged->bound[0]) / (averaged->interval[1] - averaged->interval[0]),
-                         formatShoulder(nameUnknown(term, unknown), unknown.unit, *averaged));
-      }
-    }
-  }
-  std::stable_sort(far.begin(), far.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
-  for (std::size_t i = 0; i < std::min(few, far.size()); ++i) {
-    printText("\nfar: {}\n", far[i].second);
-  }
-  if (far.size() > few) {
-    printText("\nfar: {} more, see 'bound' and 'shoulder' in the result\n", far.size() - few);
-  }
-}
-
-/// What the uncertainty means for the task, and what could bias it unnoticed.
+/// What the uncertainty means for the task.
 void printTask(const CalibrationResult& result) {
   if (result.task) {
     printText("{}: {} off (1 sigma), at most {} (99.95 %); tolerance {}\n", result.task->what,
               formatSize(result.task->sigma, "m"), formatSize(result.task->bound, "m"),
               formatSize(result.task->tolerance, "m"));
-  }
-  if (const auto& worst = result.undetectable) {
-    printText("what these captures might not show: {} can shift the {} by {}\n", worst->effect,
-              worst->of == "task" ? result.task->what : "offset of " + worst->of, formatSize(worst->bias, worst->unit));
   }
 }
 
@@ -74,7 +41,7 @@ void printEstimates(const Model& model, const CalibrationResult& result) {
       const Unknown& unknown = term.effect.unknowns[i];
       const Estimate& estimate = result.estimates[term.first + i];
       const auto [unit, scale] = displayUnit(unknown.unit);
-      const std::string name = nameUnknown(term, unknown);
+      const std::string name = nameUnknown(term, i);
       printText("  {:<38} {:>10.4f} {:<4}  {:>8.4f} {:<4}  {:>3.0f} % {}\n", name, scale * estimate.best(), unit,
                 scale * estimate.bestSigma(), unit, 100 * estimate.learned, bar(estimate.learned));
     }
@@ -104,6 +71,8 @@ void printCorners(const FittedModel& fitted) {
 } // namespace
 
 void printCalibration(const FittedModel& fitted) {
+  printFindings(fitted.fit.findings);
+  printText("{}", "\n");
   const bool hasCorners = fitted.measurements.cornerCount > 0;
   const std::string what = hasCorners ? fmt::format("{} corners in {} pictures", fitted.measurements.cornerCount,
                                                     fitted.measurements.pictures.size())
@@ -124,10 +93,6 @@ void printCalibration(const FittedModel& fitted) {
             formatJointNoise(fitted.fit.noise, fitted.measurements.hasUnknownSteps()));
   printTask(fitted.fit);
   printEstimates(fitted.model, fitted.fit);
-  printShoulders(fitted.model, fitted.fit);
-  for (const WeakDirection& weak : fitted.fit.weak) {
-    printText("\nweak: {}\n", weak.sentence);
-  }
   for (const Outlier& outlier : fitted.fit.outliers) {
     const ImageObservation& picture = fitted.measurements.pictures[outlier.picture];
     printText("\ndoubtful: capture {} ({}), board {}: {} {:.1f} px off{}", fitted.measurements.captureOf(picture).id,
@@ -143,14 +108,11 @@ void printCalibration(const FittedModel& fitted) {
     printText("\ndoubtful: capture {}, {}: does not fit the rest", fitted.measurements.captureOf(picture).id,
               picture.witnesses[reading.witness].witness->target());
   }
-  for (const std::string& warning : toSentences(fitted.fit.warnings)) {
-    printText("\nwarning: {}", warning);
-  }
   if (fitted.fit.restartsTried > 0) {
     printText("\n{} random restarts {} the answer", fitted.fit.restartsTried,
               fitted.fit.restartsChanged ? "CHANGED" : "did not change");
   }
-  printText("\n{}\n", fitted.fit.sentence);
+  printText("{}", "\n");
 }
 
 } // namespace naocal

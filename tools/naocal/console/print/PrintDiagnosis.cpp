@@ -1,5 +1,6 @@
 #include "console/print/PrintDiagnosis.hpp"
 
+#include "console/print/PrintFindings.hpp"
 #include "console/print/PrintText.hpp"
 #include "diagnosis/DiagnosisWording.hpp"
 #include "math/Angles.hpp"
@@ -134,17 +135,12 @@ void printCandidate(const CandidateFinding& finding, const Diagnosis& diagnosis)
 }
 
 void printDiagnosis(const Diagnosis& diagnosis, const GivenOptions& asked) {
-  printText("{}: {}\n", toString(diagnosis.verdict), diagnosis.sentence);
+  printText("{}: ", toString(diagnosis.verdict));
+  printFindings(diagnosis.findings);
   if (!diagnosis.steps.empty()) { // otherwise no fit was possible
     printLadder(diagnosis);
     printCandidates(diagnosis);
     printCurves(diagnosis);
-  }
-  for (const DataAnomaly& suspicion : diagnosis.anomalies) {
-    printText("  suspicious: {}\n", suspicion.why);
-  }
-  for (const std::string& note : diagnosis.notes) {
-    printText("  note: {}\n", note);
   }
   if (const auto setUps = mendableSetUps(diagnosis); !setUps.empty()) {
     printText("\nmend it:  naocal solve {} -o result.json\n", asked.commandLine(setUps));

@@ -279,7 +279,7 @@ export interface Diagnosis extends Taken {
   /** What is suggested "may be" missing: poses come first. */
   tentative: boolean;
   own: boolean;
-  suspicious: string[];
+  findings: Finding[];
   facts: Fact[];
   steps: Step[];
   candidates: Candidate[];
@@ -303,8 +303,13 @@ export interface Fact {
 export interface EstimateGroup {
   title: string;
   unit: string;
-  /** far: an unlikely explanation that would move it far. */
-  rows: {name: string, value: number, sigma: number, low: number, high: number, learned: number, far?: string | null}[];
+  rows: {name: string, value: number, sigma: number, low: number, high: number, learned: number}[];
+}
+
+/** What a person should know, beyond the head's sentence. */
+export interface Finding {
+  level: "stop" | "act" | "note";
+  sentence: string;
 }
 
 export interface Result {
@@ -313,11 +318,10 @@ export interface Result {
   headline: string;
   sentence: string;
   sets: string[];
-  warnings: string[];
+  findings: Finding[];
   missing: string[];
   facts: Fact[];
   groups: EstimateGroup[];
-  weak: {sentence: string, sigma: number, unit: string}[];
   pictures: Picture[];
   readings: ReadingSeries[];
   /** The captures of the readings. */

@@ -30,7 +30,7 @@ function sections(about) {
   });
 }
 
-showHead({...data, warnings: data.suspicious});
+showHead(data);
 at("overLadder").hidden = !data.steps.length; // nothing could be fitted
 at("scaled").hidden = data.unit === "px";
 at("overCandidates").hidden = at("overUntested").hidden = !data.candidates.length;

@@ -1,21 +1,22 @@
-// Reads the page's data and fills its head: headline, sentence, key figures, warnings.
+// Reads the page's data and fills its head: headline, sentence, key figures, further findings.
 import {at, element} from "naocal/lib/dom.js";
+import {findingList} from "naocal/plots/finding-list.js";
 import {readColours} from "naocal/lib/figure.js";
 
-/** @import {Fact} from "naocal/lib/types.js" */
+/** @import {Fact, Finding} from "naocal/lib/types.js" */
 
 readColours();
 matchMedia("(prefers-color-scheme: dark)").addEventListener("change", readColours);
 
 export const readData = () => JSON.parse(at("data").textContent);
 
-/** @param {{headline: string, facts: Fact[], verdict: string, sentence: string, warnings: string[]}} head */
-export function showHead({headline, facts, verdict, sentence, warnings}) {
+/** @param {{headline: string, facts: Fact[], verdict: string, sentence: string, findings: Finding[]}} head */
+export function showHead({headline, facts, verdict, sentence, findings}) {
   at("verdict").classList.add(verdict);
   at("headline").textContent = document.title = headline;
   at("sentence").textContent = sentence;
   at("facts").append(...facts.map(fact => element("div", {}, element("dt", {}, fact.figure), element("dd", {}, fact.sentence))));
-  at("warnings").append(...warnings.map(warning => element("li", {}, warning)));
+  at("findings").append(...findingList(findings).flatMap(part => part ?? []));
 }
 
 /** Links to the sections of the page that are shown, below its head. */

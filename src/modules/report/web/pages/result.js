@@ -1,7 +1,7 @@
 // Entry point of the result page.
 import {at, choosing, element} from "naocal/lib/dom.js";
 import {redrawAll} from "naocal/lib/figure.js";
-import {direction, px, short, sized} from "naocal/lib/format.js";
+import {direction, px, sized} from "naocal/lib/format.js";
 import {groupBy} from "naocal/lib/statistics.js";
 import {boardViews, captureTimes, cornersOf, lengthOf, meanErrorOf, pictureNames} from "naocal/lib/captures.js";
 import {axisNames, groupsOf, lengthOfError, targetName} from "naocal/lib/readings.js";
@@ -91,13 +91,6 @@ function byMarker({points, unit, sigma, title}) {
 const overImage = () => [...groupBy([...data.pictures].sort((a, b) => a.camera < b.camera ? -1 : 1), ({camera}) => camera).values()]
   .map(list => residualField(list, {layer, nameOf, open: cornerErrors.open}));
 
-function weak() {
-  if (!data.weak.length) return "";
-  return element("div", {}, element("h3", {}, "Weakly determined combinations"), element("ul", {}, ...data.weak.map(({sentence, sigma, unit}) =>
-    element("li", {}, sentence + " (" + (unit === "rad" ? "± " + short(Number((sigma * 180 / Math.PI).toPrecision(2))) + "° along this combination"
-      : Math.round(100 * Math.min(1, sigma)) + " % of the prior uncertainty remains along this combination") + ")"))));
-}
-
 function aboutPhotographs() {
   const count = data.pictures.length, kept = data.pictures.filter(({photograph}) => photograph).length;
   return kept === count ? "" : kept ? "Photographs of the " + kept + " worst pictures are part of this page."
@@ -116,7 +109,7 @@ const pictures = data.pictures.length ? showPictures(byTime, {layer, nameOf}) : 
 at("layer").addEventListener("change", () => { pictures?.show(); showTrends(); redrawAll(); });
 showHead({...data, sentence: (data.sentence ? data.sentence + " " : "") + "From " + data.sets.join(", ") + "."});
 document.title = data.robot + ": " + data.headline;
-at("estimates").append(...data.groups.flatMap(group => [element("h3", {}, titleOf(group)), estimates(group)]), weak());
+at("estimates").append(...data.groups.flatMap(group => [element("h3", {}, titleOf(group)), estimates(group)]));
 if (data.pictures.length) {
   at("photographs").textContent = aboutPhotographs();
   at("fields").append(...overImage());

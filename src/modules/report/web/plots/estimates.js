@@ -16,7 +16,7 @@ function axisOf({rows}) {
 /** Title of a group: "Joint offset [°]". @param {EstimateGroup} group */
 export const titleOf = ({title, unit}) => capitalized(title) + (unit ? " [" + unit + "]" : "");
 
-/** One row per estimate, then the axis, then what would move an estimate far. @param {EstimateGroup} group */
+/** One row per estimate, then the axis. @param {EstimateGroup} group */
 export function estimates(group) {
   const {share, marks} = axisOf(group), place = (/** @type {number} */ value) => 100 * share(value) + "%";
   const scale = element("div", {class: "ticks"}, ...marks.map(mark => placed(element("span", {}, number(mark)), place(mark))));
@@ -29,7 +29,7 @@ export function estimates(group) {
       element("div", {class: "axis"}, ...marks.map(mark => placed(element("i", {class: mark === 0 ? "zero" : ""}), place(mark))), bar,
         placed(element("span", {class: "dot"}), place(value))),
       element("span", {class: "number"}, withError(value, sigma, group.unit)), told);
-  }), element("div", {class: "estimate"}, element("span"), scale), ...group.rows.flatMap(({far}) => far ? [element("p", {}, far + ".")] : []));
+  }), element("div", {class: "estimate"}, element("span"), scale));
 }
 
 /** @template {HTMLElement} E @param {E} part @param {string} left */
