@@ -33,10 +33,12 @@ std::vector<DataAnomaly> explainByAccidents(const FittedModel& fitted, const Can
   }
 }
 
-/// What is suspicious in the place of the verdict on a fit that it spoiled.
+/// What is suspicious in the place of the verdict on a fit that it spoiled. Of a fit to a wrong set-up nothing holds.
 void suspectFirst(const Measurements& measurements, CalibrationResult& result) {
   std::vector<Finding> findings = listAnomalies(result.suspicious, measurements);
-  append(furtherThanVerdict(result.findings), findings);
+  if (result.setUps.empty()) {
+    append(furtherThanVerdict(result.findings), findings);
+  }
   result.sentence = findings.front().sentence;
   result.findings = std::move(findings);
 }

@@ -146,6 +146,8 @@ Json diagnosisJson(const Diagnosis& diagnosis, std::size_t mostPoints) {
                   {"tentative", diagnosis.isTentative},
                   {"poseScatter", diagnosis.scatter},
                   {"suggested", diagnosis.suggested},
+                  {"task", taskJson(diagnosis.fit)},
+                  {"undetectable", undetectableJson(diagnosis.fit)},
                   {"define", diagnosis.own ? Json::array({Json::parse(diagnosis.own->definition)}) : Json::array()},
                   {"seconds", diagnosis.seconds}});
   result["ranking"] = listJson<CandidateFinding>(

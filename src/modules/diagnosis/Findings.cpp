@@ -181,7 +181,9 @@ std::vector<Finding> listFindings(const Diagnosis& diagnosis, const Measurements
     finding = same == further.end() ? finding : *same;
   }
   appendNew(listNegligible(diagnosis, measurements), findings);
-  appendNew(std::move(further), findings);
+  if (mendableSetUps(diagnosis).empty()) { // of a fit to a wrong set-up nothing holds
+    appendNew(std::move(further), findings);
+  }
   appendNew(diagnosis.assumptions, findings);
   sortFindings(findings);
   findings.front().sentence = diagnosis.sentence;

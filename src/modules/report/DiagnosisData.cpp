@@ -71,6 +71,7 @@ json diagnosisData(const JsonCursor& diagnosis) {
     named.erase(named.size() - 1);
   }
   json data{{"verdict", std::string{verdicts()[diagnosis.at("verdict").wordIndex(verdicts())]}},
+            {"level", verdictLevel(diagnosis)},
             {"headline", verdictHeadline(diagnosis)},
             {"sentence", diagnosis.at("sentence").text()},
             {"unit", errors.name},

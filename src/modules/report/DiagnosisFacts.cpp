@@ -3,7 +3,9 @@
 #include "math/Angles.hpp"
 #include "report/PageValues.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -42,6 +44,37 @@ Fact heldOutFact(const std::vector<JsonCursor>& all, const std::string& floor, c
               noise + "."};
 }
 
+/// How sure the first suggested effect is, and what comes next by itself; absent without one.
+std::optional<Fact> evidenceFact(const JsonCursor& diagnosis) {
+  const std::vector<std::string> suggested = diagnosis.at("suggested").texts();
+  double own = 0, next = 0;
+  std::string other;
+  std::vector<std::string> alike = suggested;
+  for (const JsonCursor& entry : diagnosis.at("ranking").elements()) {
+    const std::string name = entry.at("effect").text() + "@" + entry.at("at").text();
+    const auto told = entry.find("evidence");
+    if (!told || told->value().is_null()) {
+      continue;
+    }
+    const double evidence = told->number({-1e15, 1e15, ""});
+    if (!suggested.empty() && name == suggested.front()) {
+      own = evidence;
+      const std::vector<std::string> equivalent = entry.at("equivalent").texts();
+      alike.insert(alike.end(), equivalent.begin(), equivalent.end());
+    } else if (evidence > next && std::find(alike.begin(), alike.end(), name) == alike.end()) {
+      next = evidence;
+      other = name;
+    }
+  }
+  if (own <= 0) {
+    return std::nullopt;
+  }
+  return Fact{
+      fmt::format("{:.0f}", own),
+      fmt::format("is the evidence for {}, 2 ln of the Bayes factor (above 10: very strong){}.", suggested.front(),
+                  other.empty() ? "" : fmt::format("; the next likeliest, {}, would have {:.0f}", other, next))};
+}
+
 /// `found`: the verdict is something other than a candidate, found by its own test.
 Fact alarmFact(double alarm, bool found) {
   if (alarm <= 0.05) {
@@ -70,6 +103,11 @@ bool isTentative(const JsonCursor& diagnosis) {
   return tentative && tentative->boolean();
 }
 
+std::string verdictLevel(const JsonCursor& diagnosis) {
+  const auto findings = diagnosis.find("findings");
+  return findings && !findings->elements().empty() ? findings->elements().front().at("level").text() : "";
+}
+
 std::string verdictHeadline(const JsonCursor& diagnosis) {
   static const std::vector<std::string> headlines{"The model explains these captures.",
                                                   "An effect is missing in the model.",
@@ -91,11 +129,16 @@ std::vector<Fact> diagnosisFacts(const JsonCursor& diagnosis, const ErrorUnit& e
     return {};
   }
   const double scatter = scatterOf(diagnosis);
-  std::vector<Fact> facts{
-      heldOutFact(steps, noiseFloorName(diagnosis), errors),
-      alarmFact(diagnosis.at("alarm").number(probability),
-                diagnosis.at("verdict").text() == "unknown-effect" || diagnosis.at("verdict").text() == "bad-captures"),
-      lackOfFitFact(diagnosis.at("lackOfFit"))};
+  const std::string verdict = diagnosis.at("verdict").text();
+  std::vector<Fact> facts{heldOutFact(steps, noiseFloorName(diagnosis), errors)};
+  for (auto fact : {taskFact(diagnosis), evidenceFact(diagnosis)}) {
+    if (fact) {
+      facts.push_back(*std::move(fact));
+    }
+  }
+  facts.push_back(
+      alarmFact(diagnosis.at("alarm").number(probability), verdict == "unknown-effect" || verdict == "bad-captures"));
+  facts.push_back(lackOfFitFact(diagnosis.at("lackOfFit")));
   if (scatter > 0) {
     facts.push_back({fmt::format("{:.3f}°", degrees(scatter)),
                      "by which joints deflect at random from pose to pose (1 sigma) beyond what the model explains."});

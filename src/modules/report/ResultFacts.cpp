@@ -159,9 +159,10 @@ Fact misfitFact(const JsonCursor& result) {
   return {formatError(numberAt(result, "noiseFloorPx"), shownErrorUnit(result)), "is the noise floor; " + chance};
 }
 
-/// The bound carried to the task, beside its tolerance.
-std::optional<Fact> taskFact(const JsonCursor& result) {
-  const auto task = result.find("task");
+} // namespace
+
+std::optional<Fact> taskFact(const JsonCursor& document) {
+  const auto task = document.find("task");
   if (!task || task->value().is_null()) {
     return std::nullopt;
   }
@@ -171,8 +172,6 @@ std::optional<Fact> taskFact(const JsonCursor& result) {
                   "the tolerance is {}.",
                   task->at("what").text(), formatSize(numberAt(*task, "tolerance"), "m"))};
 }
-
-} // namespace
 
 VerdictWords verdictWords(const JsonCursor& result) {
   const std::string said = result.at("sentence").text(), between = ": ";

@@ -20,6 +20,9 @@ struct VerdictWords {
 };
 VerdictWords verdictWords(const JsonCursor& result);
 
+/// The bound carried to the task, beside its tolerance; absent without a task.
+std::optional<Fact> taskFact(const JsonCursor& document);
+
 /// Errors of a result's captures with the drawing alone, where the captures are still there.
 struct DrawingErrors {
   double rmsPx = 0; // of corners [px]; 0 without any

@@ -126,6 +126,9 @@ int solve(SolveCommand& command) {
     printCalibration({measurements, model, result});
     if (!result.setUps.empty()) {
       printMending(result.setUps, asIs);
+    } else if (const std::string_view kind = result.findings.front().kind();
+               kind == "effect-missing" || kind == "unknown-effect") {
+      printText("find it:  naocal diagnose {}\n", asIs.commandLine());
     }
     if (!command.output.empty()) {
       printText("written to {}\n", command.output);

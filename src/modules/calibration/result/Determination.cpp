@@ -125,13 +125,12 @@ Finding describeOffset(const FittedModel& fitted, const Term& term) {
   const Estimate& estimate = fitted.fit.estimates[term.first];
   return describeUndetermined(
       fitted, term,
-      fmt::format("{} cannot be learned from these captures ({:.0f} % learned, ±{}): {}, or leave it out with "
-                  "--without {}",
-                  describeUnknown(term, 0), 100 * estimate.learned, formatSigma(term, estimate.bestSigma()),
-                  motionOf(term.placeIndex, fitted.measurements) < far
-                      ? "add poses that move it"
-                      : "it moves, but what is measured hardly moves with it; measure something further from its axis",
-                  term.label()));
+      fmt::format(
+          "{} cannot be learned from these captures ({:.0f} % learned, ±{}): {}, or leave its offset out",
+          describeUnknown(term, 0), 100 * estimate.learned, formatSigma(term, estimate.bestSigma()),
+          motionOf(term.placeIndex, fitted.measurements) < far
+              ? "add poses that move it"
+              : "it moves, but what is measured hardly moves with it; measure something further from its axis"));
 }
 
 /// A camera's mount or another effect, as far as the captures do not tell it.
@@ -217,6 +216,9 @@ std::optional<Finding> describeStillJoints(const FittedModel& fitted) {
                               single ? "its offset" : "their offsets"),
                   fitted.measurements);
   finding.answers = {{"take poses", "", ""}};
+  for (const std::string& name : names) {
+    finding.answers.push_back({"leave out", "effect", fmt::format("{}@{}", effectName::jointOffset, name)});
+  }
   return finding;
 }
 

@@ -260,11 +260,10 @@ std::string formatVerdict(const CalibrationResult& result, const std::string& ca
     return fmt::format("This calibration is good: the model explains the captures ({}).", formatSizes(result));
   case ResultVerdict::causeMissing:
     return fmt::format("Usable, but a cause is missing: {}; {}. The intervals of the offsets already include this "
-                       "uncertainty. Find it with 'naocal diagnose'.",
+                       "uncertainty.",
                        formatSizes(result), cause);
   case ResultVerdict::doNotUse:
-    return firm.empty() ? fmt::format("Do not use this calibration yet: {}. Find it with 'naocal diagnose'.",
-                                      formatUnexplained(result, cause))
+    return firm.empty() ? fmt::format("Do not use this calibration yet: {}.", formatUnexplained(result, cause))
                         : fmt::format("Do not use this calibration: {}.", firm);
   }
   return {};
@@ -276,7 +275,7 @@ void judgeResult(const Measurements& measurements, const Model& model, Calibrati
   result.usable = true;
   if (!result.converged) {
     forbid({makeFinding("not-learned", "convergence", FindingLevel::stop,
-                        "the search did not converge: try --restarts 20, and check the robot's model and the boards",
+                        "the search did not converge: try random restarts, and check the robot's model and the boards",
                         measurements)},
            result);
   }

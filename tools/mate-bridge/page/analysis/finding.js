@@ -21,8 +21,13 @@ export function finding(heading) {
   }
   const {headline, sentence, verdict} = diagnosis, stem = headline.replace(/\.$/, "");
   const rest = sentence.startsWith(stem) ? sentence.slice(stem.length).replace(/^[\s:,;.]+/, "") : sentence; // drops the repeated headline
-  return element("div", {class: "verdict finding " + verdict}, element(heading, {}, headline), element("p", {}, capitalized(rest)), actions(diagnosis), ...findingList(diagnosis.findings));
+  return element("div", {class: "verdict finding " + verdict}, element(heading, {}, headline, " ", usable(diagnosis.level)), element("p", {}, capitalized(rest)),
+    element("dl", {class: "figures brief"}, ...diagnosis.facts.slice(0, 3).map(({figure, sentence}) => element("div", {}, element("dt", {}, figure), element("dd", {}, sentence)))),
+    actions(diagnosis), ...findingList(diagnosis.findings));
 }
+
+/** Whether the calibration may be used as it is. */
+const usable = level => level === "stop" ? element("span", {class: "level stop"}, "do not use yet") : level === "act" ? element("span", {class: "level act"}, "usable meanwhile") : null;
 
 /** Buttons that mend a set-up, or else add what is suggested. */
 function actions({suggested, own, curves, candidates, tentative}) {

@@ -5,17 +5,33 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstddef>
+#include <fmt/format.h>
 
 namespace naocal {
 
+namespace {
+
+/// How to leave out what the captures do not tell: " (--without jointOffset@HeadYaw)".
+std::string formatOption(const Finding& finding) {
+  std::string labels;
+  for (const FindingAnswer& answer : finding.answers) {
+    if (answer.action == "leave out" && answer.of == "effect") {
+      labels += (labels.empty() ? "" : ",") + answer.what;
+    }
+  }
+  return labels.empty() ? "" : fmt::format(" (--without {})", labels);
+}
+
+} // namespace
+
 void printFindings(const std::vector<Finding>& findings) {
   constexpr std::size_t most = 3; // notes
-  printText("{}\n", findings.front().sentence);
+  printText("{}{}\n", findings.front().sentence, formatOption(findings.front()));
   std::size_t notes = 0;
   for (const Finding* const finding : furtherFindings(findings)) {
     notes += finding->level == FindingLevel::note;
     if (finding->level != FindingLevel::note || notes <= most) {
-      printText("  {}: {}\n", toString(finding->level), finding->sentence);
+      printText("  {}: {}{}\n", toString(finding->level), finding->sentence, formatOption(*finding));
     }
   }
   if (notes > most) {
