@@ -1,6 +1,7 @@
 #include "diagnosis/Findings.hpp"
 
 #include "diagnosis/DiagnosisWording.hpp"
+#include "setups/LeftOut.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -34,9 +35,13 @@ Finding describeAnomaly(const DataAnomaly& anomaly, const Measurements& measurem
     for (const Capture& capture : (*measurements.sets)[anomaly.set].captures) {
       if (capture.id == *anomaly.capture) {
         finding.where.poses = {capture.pose};
+        if (anomaly.moved.empty()) { // else the board alone is left out already
+          finding.answers = {
+              {"leave out", "label",
+               leaveOutLabel(capture, (*measurements.sets)[anomaly.set], measurements.sets->size() > 1)}};
+        }
       }
     }
-    finding.answers = {{"leave out", "capture", std::to_string(*anomaly.capture)}};
   }
   if (!anomaly.setUp.empty()) {
     finding.answers = {{"mend", "setUp", anomaly.setUp}};

@@ -85,6 +85,7 @@ json diagnosisData(const JsonCursor& diagnosis) {
             {"kinds", kindErrorsData(diagnosis, named)},
             {"steps", json::array()},
             {"findings", findingsData(diagnosis)},
+            {"leaveOut", leaveOutData(diagnosis)},
             {"facts", json::array()}};
   addTaken(diagnosis, data);
   addResidualViewsData(diagnosis, data);

@@ -49,6 +49,18 @@ json olderFindings(const JsonCursor& document) {
 
 } // namespace
 
+json leaveOutData(const JsonCursor& document) {
+  json labels = json::array();
+  for (const JsonCursor& finding : elementsOf(document, "findings")) {
+    for (const JsonCursor& answer : finding.at("answer").elements()) {
+      if (const auto found = answer.find("label")) {
+        labels.push_back(found->text());
+      }
+    }
+  }
+  return labels;
+}
+
 json findingsData(const JsonCursor& document) {
   const std::vector<JsonCursor> all = elementsOf(document, "findings");
   if (all.empty()) {

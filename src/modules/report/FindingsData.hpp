@@ -10,4 +10,7 @@ namespace naocal {
 /// earlier versions have warnings and suspicions instead.
 nlohmann::json findingsData(const JsonCursor& document);
 
+/// Labels that leave out the captures which findings advise to leave out: "leftOut@capture:17".
+nlohmann::json leaveOutData(const JsonCursor& document);
+
 } // namespace naocal

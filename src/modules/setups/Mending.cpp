@@ -3,6 +3,7 @@
 #include "estimation/ModelBuilder.hpp"
 #include "io/InputError.hpp"
 #include "setups/Catalogue.hpp"
+#include "setups/LeftOut.hpp"
 #include "setups/SetUpFit.hpp"
 
 #include <algorithm>
@@ -91,7 +92,7 @@ void mend(const std::string& label, Recording& recording) {
 } // namespace
 
 bool isSetUp(const std::string& label) {
-  return parseLabel(label).setUp != nullptr;
+  return isLeftOut(label) || parseLabel(label).setUp != nullptr;
 }
 
 std::vector<std::string> joinLabels(const std::vector<std::string>& pieces) {
@@ -113,9 +114,9 @@ std::vector<std::string> mendSetUps(std::vector<std::string>& with, Robot& robot
     return {};
   }
   Recording recording{sets, robot};
-  for (const std::string& label : mended) {
-    mend(label, recording);
-  }
+  const auto first = std::stable_partition(mended.begin(), mended.end(), isLeftOut);
+  std::for_each(mended.begin(), first, [&](const std::string& label) { leaveOut(label, recording.sets); });
+  std::for_each(first, mended.end(), [&](const std::string& label) { mend(label, recording); });
   sets = std::move(recording.sets);
   robot = std::move(recording.robot);
   with = std::move(rest);

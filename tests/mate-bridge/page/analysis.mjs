@@ -82,6 +82,15 @@ for (let x = 0.15; x < 0.95 && other === first; x += 0.02) {
   }
 }
 check(other !== first, "a click on a point shows its capture: " + other);
+// A capture, a pose or a board is left out as a step of the model, and Undo takes it back.
+const leave = page.getByRole("button", {name: /^leave out capture/}).first(), leftOut = (await leave.getAttribute("aria-label")).replace("leave out capture ", ""), models = await rungs.count();
+await leave.click();
+await happens(page.locator(".ladder .rung", {hasText: "+ leftOut@capture:" + leftOut}).waitFor(), "capture " + leftOut + " is left out, as a step of the model");
+await happens(page.locator("#model").getByRole("button", {name: "remove leftOut@capture:" + leftOut}).waitFor(), "and it is listed as left out");
+check(await page.getByRole("button", {name: /^leave out pose/}).count() > 0 && await page.getByRole("button", {name: /^leave out board/}).count() > 0, "so can a pose or a board be");
+await page.getByRole("button", {name: "Undo", exact: true}).click();
+await page.waitForFunction(at => document.querySelectorAll(".ladder .rung")[at].getAttribute("aria-current") === "step", models - 1);
+await idle();
 await page.locator("#overX").selectOption({label: "the angle of LKneePitch [°]"});
 await portrait(page, axe, pictures, "compare");
 // Every drawing can be saved as PNG and SVG.

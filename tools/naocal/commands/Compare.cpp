@@ -6,6 +6,7 @@
 
 #include "calibration/Prediction.hpp"
 #include "command-line/OptionChecks.hpp"
+#include "setups/LeftOut.hpp"
 #include "setups/Mending.hpp"
 
 #include <CLI/CLI.hpp>
@@ -40,6 +41,7 @@ Versus compareTwo(const StoredResult& result, const StoredResult& other, const L
 void compareSets(const CompareCommand& command) {
   StoredResult result = readResult(command.result);
   LoadedSets given = loadSets(command.sets, command.skipBad);
+  std::erase_if(result.inputs.setUps, isLeftOut); // of its own captures
   mendSetUps(result.inputs.setUps, given.robot, given.sets);
   const Comparison comparison = compare(result, given.sets, given.robot, command.samePlace);
   nlohmann::json json = comparisonJson(comparison);

@@ -6,7 +6,7 @@ import {axisNames} from "naocal/lib/readings.js";
 import {readingArrows} from "naocal/plots/reading-arrows.js";
 import {arrowsWords, dotsOfReadings, dotsWords, histogramsOfReadings, histogramWords} from "naocal/plots/reading-sections.js";
 import {on} from "../core/connection.js";
-import {state} from "../core/state.js";
+import {act, state} from "../core/state.js";
 import {causePlots, finding} from "./finding.js";
 import {cornersOf, errorOf, pictureFigure} from "./pictures.js";
 import {horizontals, isChosen, readingTools, scatterFigure, verticals} from "./residual-scatter.js";
@@ -15,7 +15,7 @@ const perPage = 6;
 const shown = {horizontal: "u", vertical: "du", isChosen: false, camera: "", first: 0, order: "worst"};
 on("opened", () => Object.assign(shown, {isChosen: false, camera: "", first: 0}));
 
-// Until other axes are chosen: errors over what drives the cause; as taken where something is wrong with captures; else
+// Until other axes are chosen, or a cause was found, and then for every model of the set: errors over what drives the cause; as taken where something is wrong with captures; else
 // over their place.
 function lookAtCause({drivers, pictures}) {
   const {causes, verdict} = state.diagnosis ?? {}, driver = drivers.findIndex(({what}) => what === causes?.[0]?.over);
@@ -26,6 +26,7 @@ function lookAtCause({drivers, pictures}) {
 export function showCompare(parent) {
   const {fit} = state;
   if (!shown.isChosen) lookAtCause(fit);
+  shown.isChosen ||= Boolean(state.diagnosis);
   const errors = verticals(fit), vertical = errors.find(({value}) => value === shown.vertical) || errors[0];
   const options = horizontals(fit, vertical), horizontal = options.find(({value}) => value === shown.horizontal) || options[0];
   const again = () => showCompare(parent), choose = change => { Object.assign(shown, change, {isChosen: true}); again(); };
@@ -95,7 +96,16 @@ function grouped(group, again) {
       ...group.map((picture, i) => button(String(picture.capture), () => { inFront.set(key, i); again(); },
         {class: "small", "aria-pressed": String(i === front), "aria-label": "show capture " + picture.capture, title: px(errorOf(picture)) + " rms"}))));
   }
+  figure.append(leavingOut(group[front]));
   return figure;
+}
+
+// Calibrates without this capture, its pose or one of its boards; as a step of the model, which Undo takes back.
+function leavingOut({set, capture, pose, boards}) {
+  const several = new Set(state.fit.pictures.map(picture => picture.set)).size > 1, of = several ? set + "/" : "";
+  const leave = (what, name) => button(what + " " + name, () => act({do: "add", labels: ["leftOut@" + what + ":" + of + name]}), {class: "small", "aria-label": "leave out " + what + " " + name});
+  return element("div", {class: "controls repeats"}, element("span", {class: "soft"}, "leave out:"), leave("capture", capture), pose ? leave("pose", pose) : null,
+    ...boards.map(({board}) => leave("board", board.split("/").at(-1))));
 }
 
 function pager(groups, again) {

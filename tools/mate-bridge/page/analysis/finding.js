@@ -29,8 +29,8 @@ export function finding(heading) {
 /** Whether the calibration may be used as it is. */
 const usable = level => level === "stop" ? element("span", {class: "level stop"}, "do not use yet") : level === "act" ? element("span", {class: "level act"}, "usable meanwhile") : null;
 
-/** Buttons that mend a set-up, or else add what is suggested. */
-function actions({suggested, own, curves, candidates, tentative}) {
+/** Buttons that mend a set-up, or else add what is suggested; and that leave out captures which do not belong. */
+function actions({suggested, own, curves, candidates, tentative, leaveOut}) {
   const setUps = candidates.filter(({setUp}) => setUp).map(({label}) => label), isMended = setUps.length > 0;
   const labels = isMended ? setUps : own ? suggested.slice(0, -1) : suggested, verb = isMended ? "Mend " : "Add ", waits = tentative && !isMended;
   const add = (...labels) => act({do: "add", labels});
@@ -40,6 +40,7 @@ function actions({suggested, own, curves, candidates, tentative}) {
     ...labels.map(label => button(verb + label, () => add(label), {class: labels.length > 1 || waits ? "" : "main"})),
     ...!isMended && own && curves[0]?.model ? [button("Add it as a custom effect", () => act({do: "define", effect: curves[0].model.define[0]}), {class: "main"})] : [],
   ];
+  buttons.push(...leaveOut.slice(0, 3).map(label => button("Leave out " + label.replace("leftOut@", "").replace(":", " "), () => add(label), {class: buttons.length ? "" : "main"})));
   return buttons.length ? element("p", {class: "controls"}, ...buttons) : null;
 }
 

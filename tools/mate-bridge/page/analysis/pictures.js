@@ -7,7 +7,15 @@ import {state} from "../core/state.js";
 const layer = () => state.layer;
 export const cornersOf = picture => cornersIn(picture, state.layer);
 export const errorOf = picture => pictureError(picture, state.layer);
-export const pictureFigure = picture => cornersFigure(picture, {layer, nameOf: pictureName, photograph});
+export const pictureFigure = picture => cornersFigure(picture, {layer, nameOf: pictureName, photograph, steady});
+
+const factors = new Map(); // by what is drawn; stay while the model changes, so that errors are seen to fall
+on("opened", () => factors.clear());
+/** The factor by which errors were enlarged when they were first drawn. */
+export function steady(name, factor) {
+  if (!factors.has(name)) factors.set(name, factor);
+  return factors.get(name);
+}
 
 const photographs = new Map(); // by address
 let desk = 0; // part of the address: other captures may have equal names

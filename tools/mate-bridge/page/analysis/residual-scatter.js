@@ -6,7 +6,7 @@ import {binnedMeans, mean} from "naocal/lib/statistics.js";
 import {cornerTip} from "naocal/plots/corners.js";
 import {componentTitle, readingTip} from "naocal/plots/reading-dots.js";
 import {residualScatter} from "naocal/plots/residual-scatter.js";
-import {cornersOf} from "./pictures.js";
+import {cornersOf, steady} from "./pictures.js";
 import {state} from "../core/state.js";
 
 // Options of the x axis: coordinates of the corner or the reading, then quantities recorded with the capture.
@@ -61,7 +61,7 @@ function corners(fit, horizontal, vertical, camera) {
 export function readingTools(fit) {
   const places = orderOfTaking(fit.captures);
   return {layer: () => state.layer, nameOf: ({of}) => pictureName(fit.captures[of]), orderOf: ({of}) => places[of],
-    pictureOf: ({of}) => fit.captures[of], isChosen: state.chosen ? ({of}) => isChosen(fit.captures[of]) : undefined};
+    pictureOf: ({of}) => fit.captures[of], isChosen: state.chosen ? ({of}) => isChosen(fit.captures[of]) : undefined, steady};
 }
 
 function readings(fit, horizontal, {series, of}) {

@@ -11,15 +11,16 @@ namespace naocal {
 
 namespace {
 
-/// How to leave out what the captures do not tell: " (--without jointOffset@HeadYaw)".
+/// How to leave out what the captures do not tell, or what does not belong: " (--without jointOffset@HeadYaw)".
 std::string formatOption(const Finding& finding) {
-  std::string labels;
+  std::string labels, option;
   for (const FindingAnswer& answer : finding.answers) {
-    if (answer.action == "leave out" && answer.of == "effect") {
+    if (answer.action == "leave out") {
+      option = answer.of == "effect" ? "--without" : "--with";
       labels += (labels.empty() ? "" : ",") + answer.what;
     }
   }
-  return labels.empty() ? "" : fmt::format(" (--without {})", labels);
+  return labels.empty() ? "" : fmt::format(" ({} {})", option, labels);
 }
 
 } // namespace

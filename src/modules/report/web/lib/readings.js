@@ -11,6 +11,7 @@ import {groupBy, rms} from "naocal/lib/statistics.js";
  * @property {(reading: Reading) => any} [pictureOf] what a click opens
  * @property {(picture: any) => void} [open]
  * @property {(reading: Reading) => boolean} [isChosen] readings to emphasise
+ * @property {(name: string, factor: number) => number} [steady] the factor by which errors were enlarged before
  */
 
 export const axisNames = ["x", "y", "z"];

@@ -278,6 +278,8 @@ export interface Diagnosis extends Taken {
   suggested: string[];
   /** What is suggested "may be" missing: poses come first. */
   tentative: boolean;
+  /** Labels of captures that findings advise to leave out. */
+  leaveOut: string[];
   /** Of the first finding: "stop", "act", "note"; "" in files of earlier versions. */
   level: string;
   own: boolean;

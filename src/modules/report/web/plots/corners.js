@@ -60,8 +60,9 @@ export function cornerTip(corner, nameOf) {
  * @param {() => Layer} options.layer residuals to draw
  * @param {(picture: Picture) => string} options.nameOf
  * @param {(picture: Picture, loaded: () => void) => HTMLImageElement | null} options.photograph background image; null until loaded
+ * @param {(name: string, factor: number) => number} [options.steady] the factor by which errors were enlarged before
  */
-export function cornersFigure(picture, {layer, nameOf, photograph}) {
+export function cornersFigure(picture, {layer, nameOf, photograph, steady = (_, factor) => factor}) {
   const drawn = captioned({
     height: inProportion(picture), label: "measured and predicted corners of " + nameOf(picture),
     draw: (context, width, height, caption) => {
@@ -72,7 +73,7 @@ export function cornersFigure(picture, {layer, nameOf, photograph}) {
       if (behind) context.drawImage(behind, 0, 0, width, height);
       context.strokeStyle = colours.line;
       context.strokeRect(0.5, 0.5, width - 1, height - 1);
-      const enlarged = enlargement(corners.map(corner => scale * lengthOf(corner)), 0.06 * width);
+      const enlarged = steady(nameOf(picture), enlargement(corners.map(corner => scale * lengthOf(corner)), 0.06 * width));
       const targets = cornerTargets(corners, scale, enlarged, nameOf);
       if (behind) targets.forEach(target => drawCorner(context, target, true));
       targets.forEach(target => drawCorner(context, target, false));

@@ -80,13 +80,13 @@ function drawScaleBar(context, y, pixelsPerUnit, unit) {
 
 /** @param {ReadingSeries} series whose errors are lengths @param {ReadingTools} tools */
 export function readingArrows(series, tools) {
-  const {points, title, unit} = series, {layer, pictureOf, open, isChosen} = tools, colourOf = tonesOf(points);
+  const {points, title, unit} = series, {layer, pictureOf, open, isChosen, steady = (_, factor) => factor} = tools, colourOf = tonesOf(points);
   const ranges = axisNames.map((_, axis) => extent(points.map(({at}) => at[axis])));
   const groupOf = new Map([...groupsOf(points)].flatMap(([name, list]) => list.map(reading => [reading, String(name)])));
   return captioned({height: width => layOut(width, ranges).height, label: "errors in space: " + title, open, draw: (context, width, height, caption) => {
     context.font = font;
     const {scale, boxes, shown} = layOut(width, ranges), perMillimetre = scale * millimetre;
-    const enlarged = enlargement(points.map(reading => perMillimetre * lengthOfError(reading, layer())), 0.9 * margin, mostEnlarged);
+    const enlarged = steady(title, enlargement(points.map(reading => perMillimetre * lengthOfError(reading, layer())), 0.9 * margin, mostEnlarged));
     caption.replaceChildren(bold(title), ": arrows lead from measured to predicted, " + enlargedWords(enlarged) + "; the orange bar is their scale", ...legendOf(colourOf));
     /** @type {Target[]} */
     const targets = [];

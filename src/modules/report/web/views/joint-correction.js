@@ -54,14 +54,17 @@ export const view = {
   show: (data, {open}) => {
     const {asGiven} = data.left, ranked = asGiven ? jointsByTrend(data, asGiven) : [];
     if (!ranked.length) return null;
-    const best = data.candidates.length ? data.candidates[0].label.split("@")[1] : ""; // prefer the best candidate's joint: several joints can have similar trends
+    // Opens on the cause that the diagnosis found, or the best candidate's joint: several joints can have similar trends.
+    const cause = data.causes.find(({error}) => ranked.some(({joint}) => joint === error));
+    const best = cause?.error ?? (data.candidates.length ? data.candidates[0].label.split("@")[1] : "");
     const first = ranked.some(({joint}) => joint === best) ? best : ranked[0].joint;
     const driverOf = (/** @type {Left} */ left, /** @type {{joint: string, offered: {driver: Driver}[]}} */ {joint, offered}) =>
       choosing("bentOver", "over", offered.map(({driver: {what}}) => ({value: what, text: what})),
-        what => jointCorrection(data, left, joint, offered.map(({driver}) => driver).find(one => one.what === what) ?? offered[0].driver, open));
+        what => jointCorrection(data, left, joint, offered.map(({driver}) => driver).find(one => one.what === what) ?? offered[0].driver, open),
+        joint === cause?.error && offered.some(({driver}) => driver.what === cause.over) ? cause.over : offered[0].driver.what);
     return [element("p", {}, "Error of one joint that alone would explain the misfit, one point for each encoder reading of a pose with one " +
       "standard error, over anything that was recorded. Squares: means over bins, with two standard errors. Good: squares stay at zero. " +
-      "Suspicious: a slope, a bend or a step. Both lists begin with the strongest trend."),
+      "Suspicious: a slope, a bend or a step. It opens on the cause that was found; both lists begin with the strongest trend."),
     modelChoice("bentBy", data, left => choosing("bent", "Joint", ranked.map(({joint}) => ({value: joint, text: joint})),
       joint => driverOf(left, ranked.find(one => one.joint === joint) ?? ranked[0]), first))];
   },
