@@ -123,7 +123,8 @@ void CalibrationJobs::solve(bool onlyHead) {
     PublishedOutcome outcome = summarizeOutcome(before_, offsets, processedSoFar_.captures);
     for (const Finding& finding : solved.findings) {                // `summarizeOutcome` says what was not learned
       const bool isOfTask = finding.id == "weak:task" && !onlyHead; // floor height is known only if legs are calibrated
-      if (isOfTask || (finding.kind() != "weak" && finding.kind() != "not-learned")) {
+      const bool isTold = finding.kind() != "weak" && finding.kind() != "not-learned";
+      if (isOfTask || isTold || finding.id == "weak:approach") {
         outcome.warnings.push_back(finding.sentence);
       }
     }

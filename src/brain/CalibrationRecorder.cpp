@@ -62,7 +62,7 @@ CalibrationRecorder::Solution CalibrationRecorder::solve() const {
     throw InputError{result.sentence + " Nothing was changed."};
   }
   Solution solved{readResult(folder_ / "result.json"), effectiveOffsets({measurements, model, result}),
-                  furtherThanVerdict(result.findings)};
+                  furtherThanVerdict(result.findings, measurements)};
   if (!leftOut.empty()) {
     solved.findings.push_back(
         makeFinding("accident", "model", FindingLevel::note,

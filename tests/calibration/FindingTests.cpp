@@ -20,17 +20,20 @@ Measurements measuredArm() {
 }
 
 Finding finding(const std::string& id, FindingLevel level, const std::string& why) {
-  return {.id = id, .level = level, .why = why, .sentence = formatSentence(why, {})};
+  return {.id = id, .level = level, .why = why, .sentence = formatSentence(why, measuredArm())};
 }
 
 } // namespace
 
-TEST_CASE("a label names its joints, boards and cameras") {
-  // Proves where a finding belongs, for effects, mistakes of the set-up with several joints, and curves.
+TEST_CASE("a label names its joints") {
+  // Proves where a finding belongs, for effects, their unknowns, mistakes of the set-up with several joints, and
+  // curves.
   const Measurements measurements = measuredArm();
   const std::string first = measurements.robot.joints[0].name, second = measurements.robot.joints[1].name;
   using Names = std::vector<std::string>;
   CHECK(placeOf("elasticity@" + first, measurements).joints == Names{first});
+  CHECK(placeOf("elasticity@" + first + ".c", measurements).joints == Names{first});
+  CHECK(placeOf("approach of " + first, measurements).joints == Names{first});
   CHECK(placeOf("swappedJoints@" + first + "," + second, measurements).joints == Names{first, second});
   CHECK(placeOf("otherLink@marker|" + second, measurements).joints == Names{second});
   CHECK(placeOf(second + " over q", measurements).joints == Names{second});
@@ -38,11 +41,14 @@ TEST_CASE("a label names its joints, boards and cameras") {
 }
 
 TEST_CASE("a clause becomes a sentence, and names keep their spelling") {
-  CHECK(formatSentence("12 corners do not fit", {}) == "12 corners do not fit.");
-  CHECK(formatSentence("the search did not converge", {}) == "The search did not converge.");
-  CHECK(formatSentence("elbow's zero is far off", {.joints = {"elbow"}}) == "elbow's zero is far off.");
-  CHECK(formatSentence("backlash@elbow is missing", {}) == "backlash@elbow is missing.");
-  CHECK(formatSentence("All is said.", {}) == "All is said.");
+  const Measurements measurements = measuredArm();
+  const std::string joint = measurements.robot.joints[0].name, marker = measurements.instruments.markers[0].name;
+  CHECK(formatSentence("12 corners do not fit", measurements) == "12 corners do not fit.");
+  CHECK(formatSentence("the search did not converge", measurements) == "The search did not converge.");
+  CHECK(formatSentence(joint + "'s zero is far off", measurements) == joint + "'s zero is far off.");
+  CHECK(formatSentence(marker + " sits elsewhere", measurements) == marker + " sits elsewhere.");
+  CHECK(formatSentence("backlash@elbow is missing", measurements) == "backlash@elbow is missing.");
+  CHECK(formatSentence("All is said.", measurements) == "All is said.");
 }
 
 TEST_CASE("findings stand in the order of their levels, and none is told twice") {
@@ -69,8 +75,9 @@ TEST_CASE("what holds whatever is missing outlives the verdict, with its own sen
   std::vector<Finding> all{finding("not-learned:y", stop, "y never moved"),
                            finding("effect-missing:e@y", stop, "e@y is"),
                            finding("weak:task", note, "the bound is wide"), finding("negligible:f@y", note, "f@y is")};
+  all[1].isVerdict = all[3].isVerdict = true;
   all.front().sentence = "Do not use this calibration: y never moved.";
-  const std::vector<Finding> further = furtherThanVerdict(all);
+  const std::vector<Finding> further = furtherThanVerdict(all, measuredArm());
   REQUIRE(further.size() == 2);
   CHECK(further[0].sentence == "Y never moved.");
   CHECK(further[1].id == "weak:task");

@@ -119,9 +119,9 @@ TEST_CASE("a calibration names a board that was displaced in one picture, and ho
                                   [](const Outlier& outlier) { return outlier.move.has_value(); });
   REQUIRE(whole != result.outliers.end());
   CHECK(whole->move->distance() == Approx(given.displaced.front().distance).margin(0.004));
-  const std::string start = "board " + given.displaced.front().board + " lies ",
+  const std::string start = "Board " + given.displaced.front().board + " lies ",
                     end = " in capture " + std::to_string(given.displaced.front().capture) +
-                          " than in all others: left out there";
+                          " than in all others: left out there.";
   const std::vector<std::string> warnings = sentencesOf(furtherFindings(result.findings));
   CHECK(std::any_of(warnings.begin(), warnings.end(),
                     [&](const std::string& one) { return one.starts_with(start) && one.ends_with(end); }));

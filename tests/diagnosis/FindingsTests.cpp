@@ -19,6 +19,9 @@ Diagnosis diagnosisOf(Verdict verdict, bool usable) {
   diagnosis.verdict = verdict;
   diagnosis.sentence = "What is to be said.";
   diagnosis.fit.usable = usable;
+  diagnosis.fit.verdict = !usable                        ? ResultVerdict::doNotUse
+                          : verdict == Verdict::adequate ? ResultVerdict::good
+                                                         : ResultVerdict::causeMissing;
   return diagnosis;
 }
 
@@ -63,6 +66,10 @@ TEST_CASE("every verdict of a diagnosis has a finding of its kind and level") {
   unknown.driverCurves.front().place = "knee";
   unknown.driverCurves.front().driver = "q";
   CHECK(idsOf(listFindings(unknown, nothing())) == Ids{"act unknown-effect:knee over q"});
+  unknown.suggested = {"elasticity@hip", "found_knee_over_q@knee"};
+  unknown.own = OwnEffect{.label = "found_knee_over_q@knee"};
+  CHECK(idsOf(listFindings(unknown, nothing())) ==
+        Ids{"act effect-missing:elasticity@hip", "act unknown-effect:knee over q"});
 }
 
 TEST_CASE("accidents and mistakes of the set-up stop, and say what they concern") {
@@ -77,6 +84,8 @@ TEST_CASE("accidents and mistakes of the set-up stop, and say what they concern"
   CHECK(findings[0].numbers.at("odds") == 1e4);
   CHECK(findings[0].answers.front().what == "reversedJoint@knee");
   CHECK(findings[1].where.captures == std::vector{17});
+  std::swap(bad.anomalies[0], bad.anomalies[1]);
+  CHECK(listFindings(bad, nothing()).front().id == "set-up:reversedJoint@knee"); // of which the sentence tells
   bad.suggested = {"elasticity@knee"};
   bad.ranking = {candidate("knee")};
   bad.anomaliesBeside = true;
@@ -88,10 +97,18 @@ TEST_CASE("a model that explains its captures is not called good where the resul
   Diagnosis adequate = diagnosisOf(Verdict::adequate, false);
   adequate.fit.findings = {
       {.id = "not-learned:jointOffset@knee", .level = FindingLevel::stop, .why = "the knee never moved"},
-      {.id = "effect-missing:elasticity@knee", .level = FindingLevel::stop, .why = "the error is large"},
+      {.id = "effect-missing:elasticity@knee",
+       .level = FindingLevel::stop,
+       .why = "the error is large",
+       .isVerdict = true},
       {.id = "weak:task", .level = FindingLevel::note, .why = "the bound is wide"}};
   const std::vector<Finding> findings = listFindings(adequate, nothing());
   CHECK(idsOf(findings) == Ids{"stop not-learned:jointOffset@knee", "note weak:task"});
+  Diagnosis doubted = diagnosisOf(Verdict::adequate, true); // p is large, but the fit leaves more than noise
+  doubted.fit.verdict = ResultVerdict::causeMissing;
+  doubted.fit.findings = {
+      {.id = "unknown-effect:misfit", .level = FindingLevel::act, .why = "the error is large", .isVerdict = true}};
+  CHECK(idsOf(listFindings(doubted, nothing())) == Ids{"act unknown-effect:misfit"});
   CHECK(findings[0].sentence == adequate.sentence);
   CHECK(findings[1].sentence == "The bound is wide.");
 }

@@ -196,6 +196,7 @@ void addDiagnosisVerdicts(Sentences& all) {
   still.rmsPx = 0.6;
   still.lackOfFit.noiseFloorPx = 0.53;
   still.alarm = 0.42;
+  still.fit.verdict = ResultVerdict::doNotUse;
   still.fit.findings = {{.id = "not-learned:jointOffset@elbow",
                          .level = FindingLevel::stop,
                          .why = "1 joint never moved: elbow; without motion no offset can be learned: add poses that "

@@ -37,7 +37,7 @@ std::vector<DataAnomaly> explainByAccidents(const FittedModel& fitted, const Can
 void suspectFirst(const Measurements& measurements, CalibrationResult& result) {
   std::vector<Finding> findings = listAnomalies(result.suspicious, measurements);
   if (result.setUps.empty()) {
-    append(furtherThanVerdict(result.findings), findings);
+    appendNew(furtherThanVerdict(result.findings, measurements), findings);
   }
   result.sentence = findings.front().sentence;
   result.findings = std::move(findings);

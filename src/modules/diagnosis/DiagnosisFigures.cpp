@@ -85,7 +85,7 @@ void addUnnamedCause(const DiagnosedModel& last, Diagnosis& diagnosis) {
   const Figures::Left& left = diagnosis.suggested.empty() ? figures.given : figures.last; // of the last model
   if (auto cause = computePartialResidual({last.fitted, last.candidateTests, left.whatIfs},
                                           diagnosis.driverCurves.front(), figures.recorded)) {
-    figures.causes.insert(figures.causes.begin(), std::move(*cause));
+    figures.causes.push_back(std::move(*cause)); // named ones are told first
   }
 }
 

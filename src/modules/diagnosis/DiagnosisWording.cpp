@@ -93,24 +93,28 @@ std::string formatTrivial(const Diagnosis& diagnosis) {
                : "";
 }
 
-/// Why the result of a model that explains the captures must not be used all the same; empty if it may.
-std::string findReason(const CalibrationResult& fit) {
-  const std::vector<std::string> reasons = reasonsAgainstUse(furtherThanVerdict(fit.findings));
-  return reasons.empty() ? "" : reasons.front();
+/// Why the result of a model that explains the captures must not be used all the same, or something may be missing;
+/// empty if it is good.
+std::string formatAgainst(const CalibrationResult& fit) {
+  if (fit.verdict == ResultVerdict::good || fit.findings.empty()) {
+    return "";
+  }
+  return fmt::format(" {}: {}.",
+                     fit.verdict == ResultVerdict::doNotUse ? "Do not use this calibration all the same"
+                                                            : "Yet something may be missing",
+                     fit.findings.front().why);
 }
 
 std::string formatAdequate(const Diagnosis& diagnosis) {
   const ErrorUnit& unit = diagnosis.unit;
   const std::string trivial = formatTrivial(diagnosis);
-  const std::string against = findReason(diagnosis.fit);
   return fmt::format(
       "The model explains these captures: the error is {:.2f} {unit}, the noise floor {:.2f} {unit}.{}{}",
       unit.perPx * diagnosis.rmsPx, unit.perPx * diagnosis.lackOfFit.noiseFloorPx,
       !trivial.empty()
           ? trivial
           : fmt::format(" Pure noise produces a best candidate this strong in {} of cases.", percent(diagnosis.alarm)),
-      against.empty() ? "" : fmt::format(" Do not use this calibration all the same: {}.", against),
-      fmt::arg("unit", unit.name));
+      formatAgainst(diagnosis.fit), fmt::arg("unit", unit.name));
 }
 
 /// Place and amplitude: "LKneePitch", "±0.30°".
@@ -302,16 +306,19 @@ std::string formatAnomalies(const std::vector<DataAnomaly>& anomalies) {
   return fmt::format("Something is wrong with the captures or the set-up: {}.", describeAnomalies(anomalies));
 }
 
+bool areBeside(const Diagnosis& diagnosis) {
+  return diagnosis.anomaliesBeside && !diagnosis.suggested.empty() && !diagnosis.own;
+}
+
 std::string summarize(const Diagnosis& diagnosis) {
   switch (diagnosis.verdict) {
   case Verdict::badCaptures:
     if (diagnosis.hasStillJoints) {
       return formatAdequate(diagnosis);
     }
-    return diagnosis.anomaliesBeside && !diagnosis.suggested.empty() && !diagnosis.own
-               ? fmt::format("{} Besides, something is wrong with the captures: {}.", formatMissing(diagnosis),
-                             describeAnomalies(diagnosis.anomalies))
-               : formatAnomalies(diagnosis.anomalies) + formatFurther(diagnosis, diagnosis.suggested);
+    return areBeside(diagnosis) ? fmt::format("{} Besides, something is wrong with the captures: {}.",
+                                              formatMissing(diagnosis), describeAnomalies(diagnosis.anomalies))
+                                : formatAnomalies(diagnosis.anomalies) + formatFurther(diagnosis, diagnosis.suggested);
   case Verdict::unknownEffect:
     return formatUnknown(diagnosis);
   case Verdict::effectMissing:

@@ -29,6 +29,8 @@ std::vector<std::string> mendableSetUps(const Diagnosis& diagnosis);
 std::string describeAnomalies(const std::vector<DataAnomaly>& anomalies);
 /// The same as a sentence.
 std::string formatAnomalies(const std::vector<DataAnomaly>& anomalies);
+/// Whether the suggested effects explain more than the anomalies, and come before them.
+bool areBeside(const Diagnosis& diagnosis);
 /// The diagnosis as one or two sentences.
 std::string summarize(const Diagnosis& diagnosis);
 /// The sentence of a diagnosis without any fit, and the command that mends a suspected set-up.

@@ -13,19 +13,19 @@ namespace naocal {
 namespace {
 
 /// Kind and label of something suspicious.
-std::pair<std::string, std::string> nameAnomaly(const DataAnomaly& anomaly) {
+std::pair<std::string, std::string> nameAnomaly(const DataAnomaly& anomaly, const Measurements& measurements) {
   if (!anomaly.setUp.empty()) {
     return {"set-up", anomaly.setUp};
   }
   if (anomaly.capture) {
-    return {"accident",
-            fmt::format("capture-{}{}", *anomaly.capture, anomaly.moved.empty() ? "" : "@" + anomaly.moved)};
+    return {"accident", fmt::format("capture-{}{}", nameCapture(measurements, anomaly.set, *anomaly.capture),
+                                    anomaly.moved.empty() ? "" : "@" + anomaly.moved)};
   }
   return {"event", anomaly.moved.empty() ? "captures" : anomaly.moved};
 }
 
 Finding describeAnomaly(const DataAnomaly& anomaly, const Measurements& measurements) {
-  const auto [kind, label] = nameAnomaly(anomaly);
+  const auto [kind, label] = nameAnomaly(anomaly, measurements);
   Finding finding = makeFinding(kind, label, FindingLevel::stop, anomaly.why, measurements);
   if (!anomaly.moved.empty()) {
     finding.where = placeOf(anomaly.moved, measurements);
@@ -87,6 +87,9 @@ Finding describeEffect(const std::string& label, FindingLevel level, const Diagn
 /// What is missing: the effects to add, or where none may be added the likeliest.
 std::vector<Finding> listMissing(FindingLevel level, const Diagnosis& diagnosis, const Measurements& measurements) {
   std::vector<std::string> labels = diagnosis.suggested;
+  if (diagnosis.own) { // `describeUnknown`
+    labels.pop_back();
+  }
   if (labels.empty() && diagnosis.verdict == Verdict::effectMissing && !diagnosis.ranking.empty()) {
     labels = {diagnosis.ranking.front().term.label()};
   }
@@ -108,6 +111,9 @@ Finding describeUnknown(FindingLevel level, const Diagnosis& diagnosis, const Me
   }
   Finding finding = makeFinding("unknown-effect", label, level, diagnosis.sentence, measurements);
   finding.answers = {{"take poses", "", ""}};
+  if (diagnosis.own) {
+    finding.answers.push_back({"add", "effect", diagnosis.own->label});
+  }
   return finding;
 }
 
@@ -119,21 +125,24 @@ std::vector<Finding> describeVerdict(const Diagnosis& diagnosis, const Measureme
   switch (diagnosis.verdict) {
   case Verdict::badCaptures:
     findings = listAnomalies(diagnosis.anomalies, measurements);
-    if (diagnosis.anomaliesBeside && !missing.empty()) { // these explain more
+    if (areBeside(diagnosis)) { // the effects explain more
       std::swap(findings, missing);
     }
     break;
   case Verdict::unknownEffect:
   case Verdict::inconclusive:
     findings = {describeUnknown(level, diagnosis, measurements)};
+    std::swap(findings, missing); // what has a name is told first
     break;
   case Verdict::scatter:
     findings = {makeFinding("noise", "joint-scatter", level, diagnosis.sentence, measurements)};
     findings.front().numbers = {{"scatter", diagnosis.scatter}};
     break;
   case Verdict::adequate:
-    if (reasonsAgainstUse(furtherThanVerdict(diagnosis.fit.findings)).empty()) {
+    if (diagnosis.fit.verdict == ResultVerdict::good) {
       findings = {Finding{.id = "good", .why = diagnosis.sentence, .sentence = diagnosis.sentence}};
+    } else if (!diagnosis.fit.findings.empty()) { // why it is not
+      findings = {diagnosis.fit.findings.front()};
     }
     break;
   case Verdict::effectMissing:
@@ -158,28 +167,21 @@ std::vector<Finding> listNegligible(const Diagnosis& diagnosis, const Measuremen
   return {std::move(finding)};
 }
 
-/// Appends findings, except on what others are about.
-void appendNew(std::vector<Finding> further, std::vector<Finding>& findings) {
-  for (Finding& finding : further) {
-    if (std::none_of(findings.begin(), findings.end(), [&](const Finding& one) { return one.id == finding.id; })) {
-      findings.push_back(std::move(finding));
-    }
-  }
-}
-
 } // namespace
 
 std::vector<Finding> listAnomalies(const std::vector<DataAnomaly>& anomalies, const Measurements& measurements) {
   std::vector<Finding> findings;
   std::transform(anomalies.begin(), anomalies.end(), std::back_inserter(findings),
                  [&](const DataAnomaly& anomaly) { return describeAnomaly(anomaly, measurements); });
+  std::stable_partition(findings.begin(), findings.end(), // as the sentence tells of these alone
+                        [](const Finding& one) { return one.kind() == "set-up"; });
   findings.front().sentence = formatAnomalies(anomalies);
   return findings;
 }
 
 std::vector<Finding> listFindings(const Diagnosis& diagnosis, const Measurements& measurements) {
   std::vector<Finding> findings = describeVerdict(diagnosis, measurements),
-                       further = furtherThanVerdict(diagnosis.fit.findings);
+                       further = furtherThanVerdict(diagnosis.fit.findings, measurements);
   for (Finding& finding : findings) { // what is impossible of the fit, under its own name
     const auto same = std::find_if(further.begin(), further.end(),
                                    [&](const Finding& one) { return !one.why.empty() && one.why == finding.why; });

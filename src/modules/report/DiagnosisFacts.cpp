@@ -48,6 +48,7 @@ Fact heldOutFact(const std::vector<JsonCursor>& all, const std::string& floor, c
 std::optional<Fact> evidenceFact(const JsonCursor& diagnosis) {
   const std::vector<std::string> suggested = diagnosis.at("suggested").texts();
   double own = 0, next = 0;
+  int step = 0; // only candidates for the same model compare
   std::string other;
   std::vector<std::string> alike = suggested;
   for (const JsonCursor& entry : diagnosis.at("ranking").elements()) {
@@ -59,9 +60,11 @@ std::optional<Fact> evidenceFact(const JsonCursor& diagnosis) {
     const double evidence = told->number({-1e15, 1e15, ""});
     if (!suggested.empty() && name == suggested.front()) {
       own = evidence;
+      step = entry.at("step").integer(0, maxInteger);
       const std::vector<std::string> equivalent = entry.at("equivalent").texts();
       alike.insert(alike.end(), equivalent.begin(), equivalent.end());
-    } else if (evidence > next && std::find(alike.begin(), alike.end(), name) == alike.end()) {
+    } else if (evidence > next && entry.at("step").integer(0, maxInteger) == step &&
+               std::find(alike.begin(), alike.end(), name) == alike.end()) {
       next = evidence;
       other = name;
     }
@@ -71,8 +74,9 @@ std::optional<Fact> evidenceFact(const JsonCursor& diagnosis) {
   }
   return Fact{
       fmt::format("{:.0f}", own),
-      fmt::format("is the evidence for {}, 2 ln of the Bayes factor (above 10: very strong){}.", suggested.front(),
-                  other.empty() ? "" : fmt::format("; the next likeliest, {}, would have {:.0f}", other, next))};
+      fmt::format(
+          "is the evidence for {}, 2 ln of the Bayes factor (above 10: very strong){}.", suggested.front(),
+          other.empty() || next >= own ? "" : fmt::format("; the next likeliest, {}, would have {:.0f}", other, next))};
 }
 
 /// `found`: the verdict is something other than a candidate, found by its own test.

@@ -31,18 +31,27 @@ std::string describeSuspicion(const JsonCursor& entry) {
 
 /// Of a file of an earlier version.
 json olderFindings(const JsonCursor& document) {
-  std::vector<std::string> sentences;
-  for (const char* const key : {"warnings", "notes"}) {
-    for (const JsonCursor& sentence : elementsOf(document, key)) {
-      sentences.push_back(sentence.text());
-    }
-  }
-  for (const JsonCursor& entry : elementsOf(document, "suspicious")) {
-    sentences.push_back(describeSuspicion(entry));
-  }
   json findings = json::array();
-  for (std::string& sentence : sentences) {
-    findings.push_back({{"level", "note"}, {"sentence", std::move(sentence)}});
+  const std::string told = document.at("sentence").text();
+  const auto add = [&](const char* level, const std::string& sentence) {
+    if (told.find(sentence) == told.npos) {
+      findings.push_back({{"level", level}, {"sentence", sentence}});
+    }
+  };
+  const auto reasons = document.find("reasons");
+  const std::vector<std::string> against = reasons ? reasons->texts() : std::vector<std::string>{};
+  for (const JsonCursor& entry : elementsOf(document, "suspicious")) {
+    add("stop", describeSuspicion(entry));
+  }
+  for (const JsonCursor& warning : elementsOf(document, "warnings")) {
+    const bool isReason = std::find(against.begin(), against.end(), warning.text()) != against.end();
+    add(isReason ? "stop" : "note", warning.text());
+  }
+  for (const JsonCursor& note : elementsOf(document, "notes")) {
+    add("note", note.text());
+  }
+  for (const JsonCursor& direction : elementsOf(document, "weak")) {
+    add("note", direction.at("sentence").text());
   }
   return findings;
 }
@@ -68,9 +77,10 @@ json findingsData(const JsonCursor& document) {
   }
   const std::string told = document.at("sentence").text();
   json findings = json::array();
-  for (const JsonCursor& finding : all) {
+  for (std::size_t i = 1; i < all.size(); ++i) {
+    const JsonCursor& finding = all[i];
     const JsonCursor level = finding.at("level");
-    if (told.find(finding.at("why").text()) == told.npos && finding.at("sentence").text() != told) {
+    if (told.find(finding.at("why").text()) == told.npos) {
       findings.push_back(
           {{"level", std::string{levels()[level.wordIndex(levels())]}}, {"sentence", finding.at("sentence").text()}});
     }

@@ -1,7 +1,6 @@
 #include "report/ResultData.hpp"
 #include "report/FindingsData.hpp"
 
-#include "calibration/result/Wording.hpp"
 #include "io/Units.hpp"
 #include "report/PageValues.hpp"
 #include "report/ReadingsData.hpp"

@@ -79,7 +79,7 @@ for (const set of sets) {
   check(verdicts[result.findings[0].level] === result.verdict, "the result's verdict is that of its first finding");
   check((diagnosis.findings[0].level === "note") === (diagnosis.findings[0].id === "good"), "a diagnosis that asks for nothing calls the model good");
   if (result.verdict === "good") check(diagnosis.tentative || diagnosis.findings[0].level === "note" || /^(noise|accident)/.test(diagnosis.findings[0].id), "what solve calls good lacks nothing in diagnose: " + diagnosis.findings[0].id);
-  if (diagnosis.findings[0].id === "good") check(result.verdict === "good" || !/^(effect-missing|set-up|event)/.test(result.findings[0].id), "what diagnose calls good lacks nothing in solve: " + result.findings[0].id);
+  if (diagnosis.findings[0].id === "good") check(result.verdict === "good" || false, "what diagnose calls good lacks nothing in solve: " + result.findings[0].id);
   const [found] = missingIn(diagnosis), [likely] = missingIn(result);
   if (found && likely && !diagnosis.tentative) says("solve's sentence", result.sentence, found);
 
@@ -113,7 +113,6 @@ for (const set of sets) {
     if (found) {
       await shownIn(page, "compare", ".finding");
       check(await page.getByRole("img", {name: "error without " + found}).count() > 0, "Compare's picture is of " + found);
-      check(squeezed(await page.locator(".candidates tbody tr, .finding").first().innerText()).includes(found), "and it is named");
     }
     const words = await shownIn(page, "result", ".verdict");
     says("Result", words, result.sentence);

@@ -143,8 +143,7 @@ int diagnose(DiagnoseCommand& command) {
     }
     printNextPoses(next, asIs, command.poses);
   }
-  const bool fails = !command.failOn.empty() && isAnyAsSerious(diagnosis.findings, command.failOn);
-  return diagnosis.verdict == Verdict::badCaptures || fails ? 3 : 0;
+  return diagnosis.verdict == Verdict::badCaptures || failsOn(command.failOn, diagnosis.findings) ? 3 : 0;
 }
 
 } // namespace

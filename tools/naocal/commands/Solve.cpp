@@ -126,15 +126,14 @@ int solve(SolveCommand& command) {
     printCalibration({measurements, model, result});
     if (!result.setUps.empty()) {
       printMending(result.setUps, asIs);
-    } else if (const std::string_view kind = result.findings.front().kind();
-               kind == "effect-missing" || kind == "unknown-effect") {
+    } else if (result.verdict != ResultVerdict::good && result.findings.front().isVerdict) {
       printText("find it:  naocal diagnose {}\n", asIs.commandLine());
     }
     if (!command.output.empty()) {
       printText("written to {}\n", command.output);
     }
   }
-  return isAnyAsSerious(result.findings, command.failOn) ? 3 : 0;
+  return result.usable && !failsOn(command.failOn, result.findings) ? 0 : 3;
 }
 
 } // namespace

@@ -43,6 +43,21 @@ void addLookIn(CLI::App& command, std::vector<std::string>& folders) {
       ->group(expertOptions);
 }
 
+void addFailOn(CLI::App& command, std::string& level) {
+  command
+      .add_option("--fail-on", level,
+                  "exit code 3 if there is a finding of this level or a more serious one: stop (do not use) or act "
+                  "(something is to be done)")
+      ->type_name("LEVEL")
+      ->check(oneOf(std::vector<std::string>{toString(FindingLevel::stop), toString(FindingLevel::act)}));
+}
+
+bool failsOn(const std::string& level, const std::vector<Finding>& findings) {
+  const FindingLevel least = level == toString(FindingLevel::act) ? FindingLevel::act : FindingLevel::stop;
+  return !level.empty() &&
+         std::any_of(findings.begin(), findings.end(), [&](const Finding& one) { return one.level <= least; });
+}
+
 LoadedSets loadSets(const std::vector<std::string>& folders, bool skipBad) {
   LoadedSets given;
   for (const std::string& folder : folders) {

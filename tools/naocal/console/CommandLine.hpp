@@ -35,6 +35,12 @@ Shard parseShard(const std::string& text);
 /// Adds --look-in: folders in which moved captures are searched for.
 void addLookIn(CLI::App& command, std::vector<std::string>& folders);
 
+/// Adds --fail-on: the level of findings, "stop" or "act", from which on a command ends with exit code 3.
+void addFailOn(CLI::App& command, std::string& level);
+
+/// Whether there is a finding of this level or a more serious one; never of an empty level.
+bool failsOn(const std::string& level, const std::vector<Finding>& findings);
+
 inline constexpr std::size_t manyCaptures = 2000; // from this number on, a sentence says that it takes long
 
 /// Capture sets named on the command line.

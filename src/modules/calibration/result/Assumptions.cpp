@@ -15,7 +15,10 @@ std::vector<Finding> listAssumptions(const Measurements& measurements, const std
   for (std::size_t set = 0; set < measurements.failedReadings.size(); ++set) {
     for (const FailedReadings& failed : measurements.failedReadings[set]) {
       const CaptureSet& of = (*measurements.sets)[set];
-      findings.push_back(makeFinding("accident", failed.tracker, FindingLevel::note,
+      findings.push_back(makeFinding("accident",
+                                     fmt::format("{}:{}:{}:{}", of.name, failed.tracker, failed.target,
+                                                 failed.kind == FailedReadings::Kind::origin ? "origin" : "frozen"),
+                                     FindingLevel::note,
                                      describeFailedReadings(failed, of) +
                                          (measurements.sets->size() > 1 ? " of " + of.name : std::string{}),
                                      measurements));

@@ -1,10 +1,10 @@
 #include "calibration/result/Finding.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <utility>
 
 namespace naocal {
@@ -17,26 +17,27 @@ bool contains(const std::vector<std::string>& all, std::string_view name) {
   return std::find(all.begin(), all.end(), name) != all.end();
 }
 
-/// Names within a label: what follows the "@", and the first word of "LKneePitch over q".
+/// Names within a label: what follows the "@", without an unknown's name, or else all words.
 std::vector<std::string> namesIn(const std::string& label) {
   const std::size_t at = label.find('@');
-  std::string names = at == label.npos ? label.substr(0, label.find(' ')) : label.substr(at + 1);
+  std::string names = at == label.npos ? label : label.substr(at + 1, label.rfind('.') - at - 1);
   std::replace_if(
       names.begin(), names.end(), [](char letter) { return letter == ',' || letter == '|'; }, ' ');
-  std::vector<std::string> result;
-  for (std::size_t begin = 0; begin <= names.size();) {
-    const std::size_t end = std::min(names.find(' ', begin), names.size());
-    result.push_back(names.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return result;
+  std::istringstream words{names};
+  return {std::istream_iterator<std::string>{words}, {}};
 }
 
-/// Whether a clause begins with a name, which keeps its spelling: "elbow's zero ..", "backlash@elbow ..".
-bool beginsWithName(const std::string& clause, const FindingPlace& where) {
-  const std::string first = clause.substr(0, clause.find_first_of(" ',:"));
-  return first.find('@') != first.npos || contains(where.joints, first) || contains(where.boards, first) ||
-         contains(where.cameras, first);
+template <class Entry> bool areNamed(const std::vector<Entry>& entries, const std::string& name) {
+  return std::any_of(entries.begin(), entries.end(), [&](const Entry& entry) { return entry.name == name; });
+}
+
+/// Whether a word names something of the captures, which keeps its spelling: "elbow's zero ..", "backlash@elbow ..".
+bool isName(const std::string& word, const Measurements& measurements) {
+  const FindingPlace place = placeOf("@" + word, measurements);
+  const InstrumentList& all = measurements.instruments;
+  return word.find('@') != word.npos || !place.joints.empty() || !place.boards.empty() || !place.cameras.empty() ||
+         areNamed(measurements.robot.links, word) || areNamed(all.trackers, word) || areNamed(all.markers, word) ||
+         areNamed(all.frames, word) || areNamed(all.places, word);
 }
 
 json answersJson(const std::vector<FindingAnswer>& answers) {
@@ -102,12 +103,17 @@ FindingPlace placeOf(const std::string& label, const Measurements& measurements)
 Finding makeFinding(const std::string& kind, const std::string& label, FindingLevel level, std::string why,
                     const Measurements& measurements) {
   Finding finding{kind + ":" + label, level, std::move(why), "", placeOf(label, measurements)};
-  finding.sentence = formatSentence(finding.why, finding.where);
+  finding.sentence = formatSentence(finding.why, measurements);
   return finding;
 }
 
-std::string formatSentence(std::string why, const FindingPlace& where) {
-  if (!why.empty() && !beginsWithName(why, where)) {
+std::string nameCapture(const Measurements& measurements, std::size_t set, int capture) {
+  const std::vector<CaptureSet>& sets = *measurements.sets;
+  return (sets.size() > 1 ? sets[set].name + "/" : "") + std::to_string(capture);
+}
+
+std::string formatSentence(std::string why, const Measurements& measurements) {
+  if (!why.empty() && !isName(why.substr(0, why.find_first_of(" ',:")), measurements)) {
     why.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(why.front())));
   }
   return why.ends_with('.') ? why : why + ".";
@@ -132,14 +138,20 @@ std::vector<std::string> reasonsAgainstUse(const std::vector<Finding>& findings)
   return reasons;
 }
 
-std::vector<Finding> furtherThanVerdict(const std::vector<Finding>& findings) {
-  static constexpr std::array<std::string_view, 5> ofVerdict = {"good", "effect-missing", "unknown-effect", "event",
-                                                                "negligible"};
+void appendNew(std::vector<Finding> further, std::vector<Finding>& findings) {
+  for (Finding& finding : further) {
+    if (std::none_of(findings.begin(), findings.end(), [&](const Finding& one) { return one.id == finding.id; })) {
+      findings.push_back(std::move(finding));
+    }
+  }
+}
+
+std::vector<Finding> furtherThanVerdict(const std::vector<Finding>& findings, const Measurements& measurements) {
   std::vector<Finding> further;
   for (const Finding& finding : findings) {
-    if (std::find(ofVerdict.begin(), ofVerdict.end(), finding.kind()) == ofVerdict.end()) {
+    if (!finding.isVerdict) {
       further.push_back(finding);
-      further.back().sentence = formatSentence(finding.why, finding.where);
+      further.back().sentence = formatSentence(finding.why, measurements);
     }
   }
   return further;

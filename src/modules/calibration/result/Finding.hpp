@@ -46,11 +46,12 @@ struct Finding {
   std::map<std::string, double> numbers = {}; // SI, or in pixels where the name ends in Px
   std::vector<FindingAnswer> answers = {};
   std::optional<FindingLook> look = {};
+  bool isVerdict = false; // on a fit: that it is good, or what is missing; a diagnosis has its own
 
   std::string_view kind() const { return std::string_view{id}.substr(0, id.find(':')); }
 };
 
-/// Joints, boards and cameras that a label names: "swappedJoints@shoulder,elbow", "LKneePitch over q".
+/// Joints, boards and cameras that a label names: "swappedJoints@shoulder,elbow", "jointOffset@HeadYaw.o", "board A".
 FindingPlace placeOf(const std::string& label, const Measurements& measurements);
 
 /// A finding about a label, its sentence made of the clause (`formatSentence`).
@@ -60,8 +61,11 @@ Finding makeFinding(const std::string& kind, const std::string& label, FindingLe
 /// Appends findings to others.
 void append(std::vector<Finding> further, std::vector<Finding>& findings);
 
-/// The clause as a sentence: with a capital, unless a name begins it, and a full stop.
-std::string formatSentence(std::string why, const FindingPlace& where);
+/// The clause as a sentence: with a capital, unless a name of the captures begins it, and a full stop.
+std::string formatSentence(std::string why, const Measurements& measurements);
+
+/// "17", or of one of several sets "SET/17".
+std::string nameCapture(const Measurements& measurements, std::size_t set, int capture);
 
 /// The most serious first, equal ones as they were.
 void sortFindings(std::vector<Finding>& findings);
@@ -69,8 +73,11 @@ void sortFindings(std::vector<Finding>& findings);
 /// Why a result must not be used: the clauses of the findings of level stop.
 std::vector<std::string> reasonsAgainstUse(const std::vector<Finding>& findings);
 
-/// The findings of a fit that hold whatever is missing: without the verdict, of which the first may be part.
-std::vector<Finding> furtherThanVerdict(const std::vector<Finding>& findings);
+/// Appends findings, except on what others are about: of another id.
+void appendNew(std::vector<Finding> further, std::vector<Finding>& findings);
+
+/// The findings of a fit that hold whatever is missing: without its verdict. The first has its own sentence again.
+std::vector<Finding> furtherThanVerdict(const std::vector<Finding>& findings, const Measurements& measurements);
 
 /// The findings after the first that it does not already tell.
 std::vector<const Finding*> furtherFindings(const std::vector<Finding>& findings);

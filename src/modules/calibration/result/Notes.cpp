@@ -75,9 +75,10 @@ void addDisplacedBoards(const FittedModel& fitted, Findings& notes) {
       const Capture& capture = fitted.measurements.captureOf(picture);
       const std::string& board =
           fitted.measurements.targets[picture.observations[outlier.observation].view.board()].name;
-      notes.push_back(makeFinding("accident", fmt::format("capture-{}@{}", capture.id, board), FindingLevel::note,
-                                  describeDisplacedBoard(fitted.measurements, outlier) + ": left out there",
-                                  fitted.measurements));
+      notes.push_back(makeFinding(
+          "accident", fmt::format("capture-{}@{}", nameCapture(fitted.measurements, picture.set, capture.id), board),
+          FindingLevel::note, describeDisplacedBoard(fitted.measurements, outlier) + ": left out there",
+          fitted.measurements));
       notes.back().where.captures = {capture.id};
       notes.back().where.poses = {capture.pose};
       notes.back().numbers = {{"metres", outlier.move->distance()}};
@@ -94,9 +95,8 @@ void addShoulders(const FittedModel& fitted, Findings& notes) {
       const auto& averaged = fitted.fit.estimates[term.first + i].averaged;
       if (averaged && averaged->shoulder) {
         Finding finding =
-            makeFinding("weak", fmt::format("{}.{}", term.label(), unknown.name), FindingLevel::note,
+            makeFinding("weak", fmt::format("bound:{}.{}", term.label(), unknown.name), FindingLevel::note,
                         formatShoulder(nameUnknown(term, i), unknown.unit, *averaged), fitted.measurements);
-        finding.where = placeOf(term.label(), fitted.measurements);
         finding.numbers = {{"low", averaged->bound[0]}, {"high", averaged->bound[1]}};
         far.emplace_back((averaged->bound[1] - averaged->bound[0]) / (averaged->interval[1] - averaged->interval[0]),
                          std::move(finding));
@@ -109,16 +109,19 @@ void addShoulders(const FittedModel& fitted, Findings& notes) {
 
 /// Directions that the captures hardly tell.
 void addWeakDirections(const FittedModel& fitted, Findings& notes) {
-  for (const WeakDirection& weak : fitted.fit.weak) {
-    std::string label;
-    for (const auto& [name, share] : weak.parts) {
-      label += (label.empty() ? "" : ",") + name;
-    }
+  for (std::size_t i = 0; i < fitted.fit.weak.size(); ++i) {
+    const WeakDirection& weak = fitted.fit.weak[i];
     const std::string size =
         weak.unit == "rad" ? fmt::format("± {:.2g}° along this combination", degrees(weak.sigma))
                            : fmt::format("{:.0f} % of the prior uncertainty remains", 100 * std::min(1.0, weak.sigma));
-    notes.push_back(makeFinding("weak", label, FindingLevel::note, fmt::format("{} ({})", weak.sentence, size),
-                                fitted.measurements));
+    notes.push_back(makeFinding("weak", fmt::format("direction:{}", i + 1), FindingLevel::note,
+                                fmt::format("{} ({})", weak.sentence, size), fitted.measurements));
+    std::string places;
+    for (const auto& [name, share] : weak.parts) { // "jointOffset@HeadYaw.o"
+      const std::size_t at = name.find('@') + 1;
+      places += (places.empty() ? "@" : ",") + name.substr(at, name.rfind('.') - at);
+    }
+    notes.back().where = placeOf(places, fitted.measurements);
     notes.back().numbers = {{"sigma", weak.sigma}};
   }
 }
@@ -140,11 +143,11 @@ void addUndetectable(const FittedModel& fitted, Findings& notes) {
 
 std::vector<Finding> listNotes(const FittedModel& fitted, const HeldOffsets& held) {
   std::vector<Finding> notes;
-  addHeldOffsets(fitted, held, notes);
   addOutliers(fitted, notes);
   addSharedCause(fitted, notes);
   addDisplacedBoards(fitted, notes);
   append(listAssumptions(fitted.measurements, fitted.model.terms()), notes);
+  addHeldOffsets(fitted, held, notes);
   addShoulders(fitted, notes);
   addWeakDirections(fitted, notes);
   addUndetectable(fitted, notes);

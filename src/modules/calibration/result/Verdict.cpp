@@ -182,6 +182,16 @@ const Explanation* findCause(const CalibrationResult& result, bool missing) {
   return missing && found != result.explanations.end() ? &*found : nullptr;
 }
 
+/// What effects, curves and motions are at: "LKneePitch" of "elasticity@LKneePitch" and of "LKneePitch over q".
+std::vector<std::string> placesOf(const std::vector<std::string>& labels) {
+  std::vector<std::string> places;
+  for (const std::string& label : labels) {
+    const std::size_t at = label.find('@');
+    places.push_back(at == label.npos ? label.substr(0, label.find(' ')) : label.substr(at + 1));
+  }
+  return places;
+}
+
 /// A finding about the most probable cause of the misfit, yet without words.
 Finding nameCause(const CalibrationResult& result, bool missing, const Measurements& measurements) {
   const Explanation* const likeliest = findCause(result, missing);
@@ -193,9 +203,14 @@ Finding nameCause(const CalibrationResult& result, bool missing, const Measureme
                : !label.empty()                    ? "event:" + label
                : areManyDisplaced(result.rejected) ? "accident:boards"
                                                    : "unknown-effect:misfit";
-  finding.where = placeOf(label, measurements);
-  if (isNamed) {
-    finding.answers = {{"add", "effect", label}};
+  finding.isVerdict = true;
+  if (likeliest != nullptr) {
+    finding.where = placeOf(fmt::format("@{}", fmt::join(placesOf(likeliest->effects), ",")), measurements);
+    for (const std::string& effect : likeliest->effects) {
+      if (effect.find('@') != effect.npos) {
+        finding.answers.push_back({"add", "effect", effect});
+      }
+    }
   }
   return finding;
 }
@@ -233,8 +248,8 @@ std::string formatUnexplained(const CalibrationResult& result, const std::string
 /// The finding that is the verdict: the calibration is good, or what is missing.
 Finding describeVerdict(const Measurements& measurements, bool missing, const CalibrationResult& result) {
   const std::string cause = formatCause(result, missing);
-  Finding finding =
-      result.verdict == ResultVerdict::good ? Finding{.id = "good"} : nameCause(result, missing, measurements);
+  Finding finding = result.verdict == ResultVerdict::good ? Finding{.id = "good", .isVerdict = true}
+                                                          : nameCause(result, missing, measurements);
   switch (result.verdict) {
   case ResultVerdict::good:
     finding.why = formatSizes(result);
@@ -296,6 +311,12 @@ void judgeResult(const Measurements& measurements, const Model& model, Calibrati
     Finding& first = result.findings.front();
     first.sentence = formatVerdict(
         result, "", isExplained ? fmt::format("{}; {}", first.why, formatCause(result, missing)) : first.why);
+    if (isExplained) {
+      result.findings.push_back(nameCause(result, missing, measurements));
+      result.findings.back().level = FindingLevel::stop;
+      result.findings.back().why = formatCause(result, missing);
+      result.findings.back().sentence = formatSentence(result.findings.back().why, measurements);
+    }
   } else {
     result.findings.insert(result.findings.begin(), describeVerdict(measurements, missing, result));
   }
@@ -303,6 +324,7 @@ void judgeResult(const Measurements& measurements, const Model& model, Calibrati
     Finding finding =
         makeFinding("negligible", result.negligible->label, FindingLevel::note,
                     formatNegligible(*result.negligible, errorUnitOf(measurements, result.noise)), measurements);
+    finding.isVerdict = true;
     result.findings.front().sentence += " " + finding.why;
     result.findings.push_back(std::move(finding));
   }

@@ -2,8 +2,6 @@
 
 #include "console/print/PrintText.hpp"
 
-#include <CLI/CLI.hpp>
-#include <algorithm>
 #include <cstddef>
 #include <fmt/format.h>
 
@@ -26,32 +24,20 @@ std::string formatOption(const Finding& finding) {
 } // namespace
 
 void printFindings(const std::vector<Finding>& findings) {
-  constexpr std::size_t most = 3; // notes
+  constexpr std::size_t most = 3; // notes on what is weakly determined
   printText("{}{}\n", findings.front().sentence, formatOption(findings.front()));
   std::size_t notes = 0;
   for (const Finding* const finding : furtherFindings(findings)) {
-    notes += finding->level == FindingLevel::note;
-    if (finding->level != FindingLevel::note || notes <= most) {
+    const bool isWeak = finding->kind() == "weak" && finding->level == FindingLevel::note;
+    notes += isWeak;
+    if (!isWeak || notes <= most) {
       printText("  {}: {}{}\n", toString(finding->level), finding->sentence, formatOption(*finding));
     }
   }
   if (notes > most) {
-    printText("  {} more notes: see 'findings' in the file\n", notes - most);
+    printText("  {} more note{} on what is weakly determined: files of --json have all\n", notes - most,
+              notes - most == 1 ? "" : "s");
   }
-}
-
-void addFailOn(CLI::App& command, std::string& level) {
-  command
-      .add_option("--fail-on", level,
-                  "exit code 3 if there is a finding of this level or a more serious one: stop (do not use) or act "
-                  "(something is to be done)")
-      ->type_name("LEVEL")
-      ->check(CLI::IsMember({toString(FindingLevel::stop), toString(FindingLevel::act)}));
-}
-
-bool isAnyAsSerious(const std::vector<Finding>& findings, const std::string& level) {
-  const FindingLevel least = level == toString(FindingLevel::act) ? FindingLevel::act : FindingLevel::stop;
-  return std::any_of(findings.begin(), findings.end(), [&](const Finding& one) { return one.level <= least; });
 }
 
 } // namespace naocal

@@ -8,6 +8,8 @@ import {readColours} from "naocal/lib/figure.js";
 readColours();
 matchMedia("(prefers-color-scheme: dark)").addEventListener("change", readColours);
 
+addEventListener("beforeprint", () => document.querySelectorAll("details").forEach(details => { details.open = true; }));
+
 export const readData = () => JSON.parse(at("data").textContent);
 
 /** @param {{headline: string, facts: Fact[], verdict: string, sentence: string, findings: Finding[]}} head */
