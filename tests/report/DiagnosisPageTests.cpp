@@ -225,7 +225,9 @@ TEST_CASE("a broken diagnosis file is refused with one sentence", "[slow]") {
   CHECK_THAT(refusal("/left/asGiven/whatIf/0/points/0/pictures", json::array()), Catch::Contains("points[0].pictures"));
   CHECK_THAT(refusal("/ranking/0/imprint/pictures/0/corners/0", {1, 2}), Catch::Contains("corners[0]"));
   CHECK_THAT(refusal("/steps/0/heldOutPx", "small"), Catch::Contains("steps[0].heldOutPx"));
-  CHECK_THAT(refusal("/suspicious", 3), Catch::Contains("suspicious"));
+  CHECK_THAT(refusal("/findings", 3), Catch::Contains("findings"));
+  CHECK_THAT(refusal("/findings/0", 3), Catch::Contains("findings[0]"));
+  CHECK_THAT(refusal("/findings/0/level", "grave"), Catch::Contains("findings[0].level: expected one of stop"));
 }
 
 TEST_CASE("a browser draws the whole diagnosis without complaint", "[browser]") {

@@ -297,9 +297,11 @@ std::string describeAnomalies(const std::vector<DataAnomaly>& anomalies) {
       setUps.push_back(anomaly.why);
     }
   }
-  return !setUps.empty()        ? fmt::format("{}", fmt::join(setUps, "; and "))
-         : anomalies.size() > 1 ? fmt::format("{}; and {} more", anomalies.front().why, anomalies.size() - 1)
-                                : anomalies.front().why;
+  const auto count =
+      std::count_if(anomalies.begin(), anomalies.end(), [](const DataAnomaly& one) { return !one.isFurther; });
+  return !setUps.empty() ? fmt::format("{}", fmt::join(setUps, "; and "))
+         : count > 1     ? fmt::format("{}; and {} more", anomalies.front().why, count - 1)
+                         : anomalies.front().why;
 }
 
 std::string formatAnomalies(const std::vector<DataAnomaly>& anomalies) {

@@ -24,6 +24,21 @@ std::pair<std::string, std::string> nameAnomaly(const DataAnomaly& anomaly, cons
   return {"event", anomaly.moved.empty() ? "captures" : anomaly.moved};
 }
 
+/// Adds a capture that is concerned, and that it can be left out; of a displaced board's this is done already.
+void addCapture(const DataAnomaly& anomaly, const Measurements& measurements, Finding& finding) {
+  finding.where.captures.push_back(*anomaly.capture);
+  for (const Capture& capture : (*measurements.sets)[anomaly.set].captures) {
+    if (capture.id == *anomaly.capture) {
+      finding.where.poses = {capture.pose};
+    }
+  }
+  if (anomaly.moved.empty()) {
+    const std::string name = nameCapture(measurements, anomaly.set, *anomaly.capture);
+    finding.answers = {{"leave out", "label",
+                        finding.answers.empty() ? leaveOutLabel(name) : finding.answers.front().what + "," + name}};
+  }
+}
+
 Finding describeAnomaly(const DataAnomaly& anomaly, const Measurements& measurements) {
   const auto [kind, label] = nameAnomaly(anomaly, measurements);
   Finding finding = makeFinding(kind, label, FindingLevel::stop, anomaly.why, measurements);
@@ -31,17 +46,7 @@ Finding describeAnomaly(const DataAnomaly& anomaly, const Measurements& measurem
     finding.where = placeOf(anomaly.moved, measurements);
   }
   if (anomaly.capture) {
-    finding.where.captures = {*anomaly.capture};
-    for (const Capture& capture : (*measurements.sets)[anomaly.set].captures) {
-      if (capture.id == *anomaly.capture) {
-        finding.where.poses = {capture.pose};
-        if (anomaly.moved.empty()) { // else the board alone is left out already
-          finding.answers = {
-              {"leave out", "label",
-               leaveOutLabel(capture, (*measurements.sets)[anomaly.set], measurements.sets->size() > 1)}};
-        }
-      }
-    }
+    addCapture(anomaly, measurements, finding);
   }
   if (!anomaly.setUp.empty()) {
     finding.answers = {{"mend", "setUp", anomaly.setUp}};
@@ -110,6 +115,7 @@ Finding describeUnknown(FindingLevel level, const Diagnosis& diagnosis, const Me
     label = likeliest.predicts ? likeliest.term.label() : "time";
   }
   Finding finding = makeFinding("unknown-effect", label, level, diagnosis.sentence, measurements);
+  finding.look = lookAt(label, diagnosis);
   finding.answers = {{"take poses", "", ""}};
   if (diagnosis.own) {
     finding.answers.push_back({"add", "effect", diagnosis.own->label});
@@ -171,8 +177,13 @@ std::vector<Finding> listNegligible(const Diagnosis& diagnosis, const Measuremen
 
 std::vector<Finding> listAnomalies(const std::vector<DataAnomaly>& anomalies, const Measurements& measurements) {
   std::vector<Finding> findings;
-  std::transform(anomalies.begin(), anomalies.end(), std::back_inserter(findings),
-                 [&](const DataAnomaly& anomaly) { return describeAnomaly(anomaly, measurements); });
+  for (const DataAnomaly& anomaly : anomalies) {
+    if (anomaly.isFurther && !findings.empty()) {
+      addCapture(anomaly, measurements, findings.back());
+    } else {
+      findings.push_back(describeAnomaly(anomaly, measurements));
+    }
+  }
   std::stable_partition(findings.begin(), findings.end(), // as the sentence tells of these alone
                         [](const Finding& one) { return one.kind() == "set-up"; });
   findings.front().sentence = formatAnomalies(anomalies);

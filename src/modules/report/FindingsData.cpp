@@ -51,7 +51,13 @@ json olderFindings(const JsonCursor& document) {
     add("note", note.text());
   }
   for (const JsonCursor& direction : elementsOf(document, "weak")) {
-    add("note", direction.at("sentence").text());
+    const std::string sentence = direction.at("sentence").text();
+    const bool isTold = std::any_of(findings.begin(), findings.end(), [&](const json& one) {
+      return one["sentence"].get<std::string>().find(sentence.substr(1)) != std::string::npos; // but for a capital
+    });
+    if (!isTold) {
+      add("note", sentence);
+    }
   }
   return findings;
 }
@@ -77,12 +83,11 @@ json findingsData(const JsonCursor& document) {
   }
   const std::string told = document.at("sentence").text();
   json findings = json::array();
-  for (std::size_t i = 1; i < all.size(); ++i) {
-    const JsonCursor& finding = all[i];
-    const JsonCursor level = finding.at("level");
-    if (told.find(finding.at("why").text()) == told.npos) {
-      findings.push_back(
-          {{"level", std::string{levels()[level.wordIndex(levels())]}}, {"sentence", finding.at("sentence").text()}});
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const std::string why = all[i].at("why").text(), sentence = all[i].at("sentence").text(),
+                      level{levels()[all[i].at("level").wordIndex(levels())]};
+    if (i > 0 && told.find(why) == told.npos) {
+      findings.push_back({{"level", level}, {"sentence", sentence}});
     }
   }
   return findings;

@@ -1,6 +1,7 @@
 #include "report/ReportPage.hpp"
 
 #include "calibration/KnownEffects.hpp"
+#include "calibration/result/ResultFile.hpp"
 #include "io/FileVersion.hpp"
 #include "io/Files.hpp"
 #include "io/JsonReader.hpp"
@@ -74,6 +75,7 @@ std::string renderReport(const json& document, const std::filesystem::path& file
         "and 'naocal evaluate thesis' write them");
   }
   requireVersion(top);
+  requireEstimates(document, file.string());
   const std::string data = harmless(isDiagnosis    ? diagnosisData(top)
                                     : isEvaluation ? evaluationData(top)
                                                    : resultPage(top, file, sources));

@@ -56,6 +56,12 @@ bool takeAway(const Part& part, const CaptureSet& set, Capture& capture) {
   return true;
 }
 
+/// Whether anything is left of what a capture measured, or is still to be detected.
+bool measures(const Capture& capture) {
+  return !capture.corners || !capture.corners->empty() || !capture.points.empty() || !capture.frames.empty() ||
+         !capture.contacts.empty();
+}
+
 /// Names that a label of this kind may have.
 std::vector<std::string> namesOf(const std::string& kind, const std::vector<CaptureSet>& sets) {
   std::vector<std::string> names;
@@ -82,8 +88,8 @@ bool isLeftOut(const std::string& label) {
   return label.starts_with(prefix);
 }
 
-std::string leaveOutLabel(const Capture& capture, const CaptureSet& of, bool areSeveral) {
-  return fmt::format("{}capture:{}{}", prefix, areSeveral ? of.name + "/" : "", capture.id);
+std::string leaveOutLabel(const std::string& capture) {
+  return fmt::format("{}capture:{}", prefix, capture);
 }
 
 void leaveOut(const std::string& label, std::vector<CaptureSet>& sets) {
@@ -98,9 +104,16 @@ void leaveOut(const std::string& label, std::vector<CaptureSet>& sets) {
       }
     }
     if (!isFound) {
-      throw InputError{fmt::format("'{}' names no {} of these captures; near it are {}", label, part.kind,
-                                   fmt::join(closestNames(part.name, namesOf(part.kind, sets)), ", "))};
+      const std::vector<std::string> near = closestNames(part.name, namesOf(part.kind, sets));
+      throw InputError{
+          fmt::format("'{}': '{}' is no {} of these captures; {}", label, part.name, part.kind,
+                      near.empty() ? "they have none" : fmt::format("near it are {}", fmt::join(near, ", ")))};
     }
+  }
+  if (std::none_of(sets.begin(), sets.end(), [](const CaptureSet& set) {
+        return std::any_of(set.captures.begin(), set.captures.end(), measures);
+      })) {
+    throw InputError{fmt::format("'{}' leaves nothing to calibrate with: all captures are left out", label)};
   }
 }
 

@@ -91,6 +91,9 @@ int solve(SolveCommand& command) {
   LoadedSets given = loadSets(command.sets, command.skipBad);
   ModelFile asked = askedModel(command, given.robot);
   given.inputs.setUps = mendSetUps(asked.with, given.robot, given.sets);
+  if (!isQuiet && !given.inputs.setUps.empty()) {
+    printText("captures changed before the fit: {}\n", fmt::join(given.inputs.setUps, ", "));
+  }
   const Measurements measurements = buildMeasurements(std::move(given.sets), given.robot, command.samePlace);
   const Model model = buildModel(measurements, asked.with, asked.without, asked.effects);
   command.options.effects = std::move(asked.effects);

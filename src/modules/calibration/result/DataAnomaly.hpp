@@ -32,6 +32,7 @@ struct DataAnomaly {
   std::string question = {};           // about the set-up, to ask a person
   std::string moved = {};              // id of the board, tracker, camera or stance that moved; with `capture`, of the
                                        // board that was displaced in it
+  bool isFurther = false;              // a capture that was taken with the one before, which tells why
   std::optional<int> from = {};        // id of the first capture after that
   std::vector<EventValue> values = {}; // estimates, where the size of an event was estimated
 };

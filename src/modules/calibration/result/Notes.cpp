@@ -36,11 +36,10 @@ void addHeldOffsets(const FittedModel& fitted, const HeldOffsets& held, Findings
 void addDoubtful(std::size_t count, const std::string& kind, const Measurements& measurements, Findings& notes) {
   if (count > 0) {
     const bool single = count == 1;
-    notes.push_back(
-        makeFinding("accident", kind + "s", FindingLevel::note,
-                    fmt::format("{} {}{} {} not fit the rest and got little or no weight: listed under doubtful", count,
-                                kind, single ? "" : "s", single ? "does" : "do"),
-                    measurements));
+    notes.push_back(makeFinding("accident", kind + "s", FindingLevel::note,
+                                fmt::format("{} {}{} {} not fit the rest and got little or no weight", count, kind,
+                                            single ? "" : "s", single ? "does" : "do"),
+                                measurements));
   }
 }
 

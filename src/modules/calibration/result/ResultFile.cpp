@@ -355,7 +355,17 @@ json toJson(const ResultSources& sources) {
   return inputs;
 }
 
+void requireEstimates(const json& all, const std::string& name) {
+  const bool isResult = all.is_object() && all.value("format", json{}) == "naocal-result";
+  if (isResult && !all.contains("model") && all.contains("setUps")) {
+    throw InputError{fmt::format("{}: expected a result with estimates, found one of captures that could not be fitted "
+                                 "as they are: {} Mend that first",
+                                 name, all.value("sentence", ""))};
+  }
+}
+
 StoredResult parseResult(const json& all, const std::string& name) {
+  requireEstimates(all, name);
   try {
     if (all.value("format", "") != "naocal-result") {
       throw InputError{fmt::format("{}: format: expected \"naocal-result\", as 'naocal solve' writes it, found {}",

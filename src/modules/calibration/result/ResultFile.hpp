@@ -62,4 +62,7 @@ StoredResult readResult(const std::filesystem::path& file);
 /// The same from a document; `name` stands for the file in messages.
 StoredResult parseResult(const nlohmann::json& document, const std::string& name);
 
+/// Throws InputError for the result of captures that could not be fitted, which holds findings but no estimates.
+void requireEstimates(const nlohmann::json& all, const std::string& name);
+
 } // namespace naocal

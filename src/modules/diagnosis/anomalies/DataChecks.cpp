@@ -112,8 +112,13 @@ std::vector<DataAnomaly> findTransientAnomalies(const FittedModel& fitted, const
   std::vector<DataAnomaly> result;
   for (const int id : event.captures) {
     const std::string said = result.empty() ? why : fmt::format("capture {} was taken with it", id);
-    result.push_back(
-        {.capture = id, .why = said, .set = event.set, .odds = odds, .moved = event.moved, .values = values});
+    result.push_back({.capture = id,
+                      .why = said,
+                      .set = event.set,
+                      .odds = odds,
+                      .moved = event.moved,
+                      .isFurther = !result.empty(),
+                      .values = values});
   }
   return result;
 }

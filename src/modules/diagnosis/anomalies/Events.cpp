@@ -536,6 +536,7 @@ std::vector<TransientEvent> enumerateEvents(const Measurements& measurements, co
                                name + where},
                       .who = name,
                       .where = where,
+                      .set = picture.set,
                       .captures = {id},
                       .what = "does not belong to the rest: another picture, or other angles"});
   }

@@ -64,6 +64,12 @@ void printReadings(const FittedModel& fitted) {
   }
 }
 
+/// Pictures with corners; others were left out, or show no board.
+std::ptrdiff_t countPictures(const Measurements& measurements) {
+  return std::count_if(measurements.pictures.begin(), measurements.pictures.end(),
+                       [](const ImageObservation& picture) { return !picture.observations.empty(); });
+}
+
 void printCorners(const FittedModel& fitted) {
   printText("prediction error {:.2f} px rms (median {:.2f} px); ", fitted.fit.rmsPx, fitted.fit.medianPx);
 }
@@ -75,7 +81,7 @@ void printCalibration(const FittedModel& fitted) {
   printText("{}", "\n");
   const bool hasCorners = fitted.measurements.cornerCount > 0;
   const std::string what = hasCorners ? fmt::format("{} corners in {} pictures", fitted.measurements.cornerCount,
-                                                    fitted.measurements.pictures.size())
+                                                    countPictures(fitted.measurements))
                                       : fmt::format("{} readings", fitted.measurements.witnessCount);
   printText("{}: {} of {} poses, {} unknowns; {} after {} iterations in {:.1f} ms\n", fitted.measurements.robot.model,
             what, fitted.measurements.poses.size(), fitted.model.unknownCount(),
