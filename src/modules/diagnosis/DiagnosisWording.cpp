@@ -29,9 +29,8 @@ std::string formatRivals(const std::vector<std::string>& rivals) {
 /// Labels of effects, each with what it cannot be told from: "a@x (or b@x: these captures cannot tell)".
 std::vector<std::string> nameWithRivals(const Diagnosis& diagnosis, std::vector<std::string> labels) {
   for (std::string& label : labels) {
-    const auto found = std::find_if(diagnosis.ranking.begin(), diagnosis.ranking.end(),
-                                    [&](const CandidateFinding& one) { return one.term.label() == label; });
-    if (found != diagnosis.ranking.end() && !found->equivalent.empty()) {
+    const CandidateFinding* const found = findCandidate(diagnosis, label);
+    if (found != nullptr && !found->equivalent.empty()) {
       label += fmt::format(" (or {}: these captures cannot tell)", formatRivals(found->equivalent));
     }
   }
@@ -226,6 +225,12 @@ std::string describeState(CandidateState state) {
     return "no data";
   }
   return {};
+}
+
+const CandidateFinding* findCandidate(const Diagnosis& diagnosis, const std::string& label) {
+  const auto found = std::find_if(diagnosis.ranking.begin(), diagnosis.ranking.end(),
+                                  [&](const CandidateFinding& one) { return one.term.label() == label; });
+  return found == diagnosis.ranking.end() ? nullptr : &*found;
 }
 
 const CandidateFinding* findNegligible(const Diagnosis& diagnosis) {

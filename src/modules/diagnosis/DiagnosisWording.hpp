@@ -19,6 +19,9 @@ std::string describeState(CandidateState state);
 /// undecided.
 CandidateState shownState(const CandidateFinding& finding, const Diagnosis& diagnosis);
 
+/// The candidate of this label; null without one.
+const CandidateFinding* findCandidate(const Diagnosis& diagnosis, const std::string& label);
+
 /// The likeliest effect, if it is beyond chance but hardly changes the predictions; null without one.
 const CandidateFinding* findNegligible(const Diagnosis& diagnosis);
 

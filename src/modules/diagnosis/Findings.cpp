@@ -57,12 +57,6 @@ Finding describeAnomaly(const DataAnomaly& anomaly, const Measurements& measurem
   return finding;
 }
 
-const CandidateFinding* findCandidate(const Diagnosis& diagnosis, const std::string& label) {
-  const auto found = std::find_if(diagnosis.ranking.begin(), diagnosis.ranking.end(),
-                                  [&](const CandidateFinding& one) { return one.term.label() == label; });
-  return found == diagnosis.ranking.end() ? nullptr : &*found;
-}
-
 std::optional<FindingLook> lookAt(const std::string& label, const Diagnosis& diagnosis) {
   for (const PartialResidual& cause : diagnosis.figures.causes) {
     if (cause.label == label) {

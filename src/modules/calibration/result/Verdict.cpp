@@ -307,16 +307,16 @@ void judgeResult(const Measurements& measurements, const Model& model, Calibrati
   const bool isFirm = !result.usable && (isCertain || !missing);
   result.usable = result.verdict != ResultVerdict::doNotUse;
   if (isFirm) {
-    const bool isExplained = isCertain && missing && result.misfitLeft < threshold::bearableMisfit;
-    Finding& first = result.findings.front();
-    first.sentence = formatVerdict(
-        result, "", isExplained ? fmt::format("{}; {}", first.why, formatCause(result, missing)) : first.why);
-    if (isExplained) {
-      result.findings.push_back(nameCause(result, missing, measurements));
-      result.findings.back().level = FindingLevel::stop;
-      result.findings.back().why = formatCause(result, missing);
-      result.findings.back().sentence = formatSentence(result.findings.back().why, measurements);
+    std::string reason = result.findings.front().why;
+    if (isCertain && missing && result.misfitLeft < threshold::bearableMisfit) { // and a cause explains it
+      Finding cause = nameCause(result, missing, measurements);
+      cause.level = FindingLevel::stop;
+      cause.why = formatCause(result, missing);
+      cause.sentence = formatSentence(cause.why, measurements);
+      reason += "; " + cause.why;
+      result.findings.push_back(std::move(cause));
     }
+    result.findings.front().sentence = formatVerdict(result, "", reason);
   } else {
     result.findings.insert(result.findings.begin(), describeVerdict(measurements, missing, result));
   }
